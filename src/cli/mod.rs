@@ -1,0 +1,94 @@
+//! The command line: arguments in, files and an exit status out.
+//!
+//! This is the only room that reads a clock, speaks to the terminal and listens to signals.
+
+mod args;
+mod check;
+mod load;
+mod render;
+mod stats;
+mod stop;
+mod write;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::Parser;
+use thiserror::Error;
+
+use crate::image_file::ImageFileError;
+use crate::scene::{DescribeError, SceneError};
+use crate::systems::{FrameError, WorldProblem};
+use crate::whole_file::WriteError;
+
+use args::{Args, Command};
+
+/// Runs the program on the arguments of the process. Status 0: done; 1: it could not be done, and standard error
+/// says why; 2: the arguments make no sense.
+pub fn run() -> ExitCode {
+    let outcome = match Args::parse().command {
+        Command::Render(args) => render::render(&args),
+        Command::Check(args) => check::check(&args),
+        Command::Write(args) => write::write(&args),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        // Whoever read our output has enough.
+        Err(CliError::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            say(&error.report());
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Why a command failed.
+#[derive(Debug, Error)]
+enum CliError {
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    #[error(transparent)]
+    Image(#[from] ImageFileError),
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    #[error("{0}")]
+    World(WorldProblem),
+    #[error(transparent)]
+    Describe(#[from] DescribeError),
+    #[error("cannot start {0} threads: {1}")]
+    Threads(usize, rayon::ThreadPoolBuildError),
+    #[error("cannot write to standard output: {0}")]
+    Output(io::Error),
+    #[error("cannot listen for Ctrl-C: {0}")]
+    Signal(#[from] ctrlc::Error),
+    #[error("cannot encode statistics: {0}")]
+    Stats(#[from] serde_json::Error),
+    #[error("interrupted; {0} was not written")]
+    Interrupted(String),
+}
+
+impl CliError {
+    /// The message, which starts with `error:`. Scene diagnostics do by themselves.
+    fn report(&self) -> String {
+        match self {
+            Self::Scene(SceneError::Malformed(shown)) => shown.clone(),
+            other => format!("error: {other}"),
+        }
+    }
+}
+
+/// One line or more to standard error. If even that fails, there is nobody to tell.
+fn say(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Text to standard output.
+fn print(text: &str) -> Result<(), CliError> {
+    let mut output = io::stdout().lock();
+    output
+        .write_all(text.as_bytes())
+        .and_then(|()| output.flush())
+        .map_err(CliError::Output)
+}

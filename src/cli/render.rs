@@ -1,0 +1,133 @@
+//! `archetrace render`
+
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use bevy_ecs::prelude::*;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::components::{CameraPose, Snapshot};
+use crate::geometry::Real;
+use crate::image_file::encode;
+use crate::systems::{
+    Frame, FrameError, Monitor, Tables, Workers, extract_schedule, prepare, trace_schedule,
+};
+use crate::whole_file::{check_writable, write_whole};
+
+use super::args::{Precision, RenderArgs};
+use super::load::{lay_texture, load_world};
+use super::stats::{Asked, Phases, Stats, Stopwatch};
+use super::stop::stop_flag;
+use super::{CliError, say};
+
+/// Traces a scene file to a picture file.
+pub(super) fn render(args: &RenderArgs) -> Result<(), CliError> {
+    match args.precision {
+        Precision::F64 => render_as::<f64>(args),
+        Precision::F32 => render_as::<f32>(args),
+    }
+}
+
+fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
+    // What would make the work useless is asked before it.
+    for path in [Some(&args.output), args.stats.as_ref()].into_iter().flatten() {
+        check_writable(path)?;
+    }
+    let stop = stop_flag()?;
+    let mut clock = Stopwatch::start();
+    let mut phases = Phases::default();
+
+    let mut world = World::new();
+    load_world(&args.scene, &mut world)?;
+    if args.texture {
+        lay_texture(
+            &mut world,
+            &args.scene,
+            args.white.as_deref(),
+            args.black.as_deref(),
+        )?;
+    }
+    let asked = apply(args, &mut world)?;
+    phases.load = clock.lap();
+
+    prepare::<T>(&mut world, workers(args)?);
+    extract_schedule::<T>().run(&mut world);
+    phases.extract = clock.lap();
+
+    let progress = progress_bar(asked.pixels);
+    world.insert_resource(monitor(&progress, &stop));
+    trace_schedule::<T>().run(&mut world);
+    progress.finish_and_clear();
+    phases.trace = clock.lap();
+
+    let frame = world.resource::<Frame>();
+    let (film, counts) = frame.traced().map_err(|error| match error {
+        FrameError::Cancelled => interrupted(&args.output),
+        error => error.into(),
+    })?;
+    let picture = encode(film, &args.output)?;
+    if stop.load(Ordering::Relaxed) {
+        return Err(interrupted(&args.output));
+    }
+    write_whole(&args.output, &picture)?;
+    phases.write = clock.lap();
+
+    if counts.non_finite > 0 {
+        say(&format!(
+            "warning: {} pixels had no finite radiance and are black",
+            counts.non_finite
+        ));
+    }
+    if let Some(path) = &args.stats {
+        let asked = Asked {
+            threads: world.resource::<Workers>().threads(),
+            ..asked
+        };
+        let stats = Stats::new(asked, phases, counts, &world.resource::<Tables<T>>().scene);
+        write_whole(path, &stats.to_json()?)?;
+    }
+    Ok(())
+}
+
+/// Puts what the command line says over what the scene says.
+fn apply(args: &RenderArgs, world: &mut World) -> Result<Asked, CliError> {
+    let mut snapshot = world.resource_mut::<Snapshot>();
+    snapshot.pixels = args.size.unwrap_or(snapshot.pixels);
+    snapshot.level = args.level.unwrap_or(snapshot.level);
+    let Snapshot { pixels, level } = *snapshot;
+    let mut cameras = world.query::<(Entity, &mut CameraPose)>();
+    for (entity, mut pose) in cameras.iter_mut(world) {
+        *pose = CameraPose::looking(args.eye, args.look, args.up)
+            .ok_or(CliError::World(crate::systems::WorldProblem::NoBasis { entity }))?;
+    }
+    Ok(Asked {
+        threads: 0,
+        pixels,
+        level,
+    })
+}
+
+fn workers(args: &RenderArgs) -> Result<Workers, CliError> {
+    let wanted = args.threads.map_or(0, core::num::NonZeroUsize::get);
+    Workers::new(args.threads).map_err(|error| CliError::Threads(wanted, error))
+}
+
+/// A bar on a terminal, nothing elsewhere.
+fn progress_bar(pixels: u32) -> ProgressBar {
+    let bar = ProgressBar::new(u64::from(pixels) * u64::from(pixels));
+    // A template that does not parse would only lose its looks.
+    if let Ok(style) = ProgressStyle::with_template("tracing {wide_bar} {percent:>3}% {eta} left") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn monitor(progress: &ProgressBar, stop: &Arc<AtomicBool>) -> Monitor {
+    let progress = progress.clone();
+    Monitor::new(move |pixels| progress.inc(pixels), stop.clone())
+}
+
+fn interrupted(output: &Path) -> CliError {
+    CliError::Interrupted(output.display().to_string())
+}

@@ -1,0 +1,114 @@
+//! The `--stats` file.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+
+use crate::geometry::Real;
+use crate::trace::{Counts, SceneTables};
+
+/// What a render measured and counted.
+#[derive(Debug, Serialize)]
+pub(super) struct Stats {
+    version: &'static str,
+    precision: &'static str,
+    threads: usize,
+    pixels: u64,
+    level: u32,
+    phases_ms: Phases,
+    rays: Rays,
+    rows: BTreeMap<&'static str, usize>,
+    effects: Vec<&'static str>,
+    non_finite: u64,
+}
+
+/// Milliseconds of each phase, on the wall clock.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(super) struct Phases {
+    /// Reading, parsing, spawning, textures.
+    pub(super) load: f64,
+    /// World to tables.
+    pub(super) extract: f64,
+    /// Building what makes tables fast to search; every row is tested so far, so there is nothing to build.
+    pub(super) build: f64,
+    /// Tables to film.
+    pub(super) trace: f64,
+    /// Film to file.
+    pub(super) write: f64,
+}
+
+#[derive(Clone, Copy, Debug, Serialize)]
+struct Rays {
+    primary: u64,
+    shadow: u64,
+    mirror: u64,
+}
+
+/// How a picture was asked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked {
+    pub(super) threads: usize,
+    pub(super) pixels: u32,
+    pub(super) level: u32,
+}
+
+impl Stats {
+    /// The statistics of one picture.
+    pub(super) fn new<T: Real>(
+        asked: Asked,
+        phases: Phases,
+        counts: &Counts,
+        scene: &SceneTables<T>,
+    ) -> Self {
+        let tables = scene.table_counts().map(|count| (count.table, count.rows));
+        let effects = scene.effect_counts();
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            precision: T::NAME,
+            threads: asked.threads,
+            pixels: u64::from(asked.pixels) * u64::from(asked.pixels),
+            level: asked.level,
+            phases_ms: phases,
+            rays: Rays {
+                primary: counts.rays.primary,
+                shadow: counts.rays.shadow,
+                mirror: counts.rays.mirror,
+            },
+            rows: tables
+                .into_iter()
+                .chain(effects.map(|count| (count.effect, count.rows)))
+                .collect(),
+            effects: effects
+                .iter()
+                .filter(|count| count.rows > 0)
+                .map(|count| count.effect)
+                .collect(),
+            non_finite: counts.non_finite,
+        }
+    }
+
+    /// The file's bytes.
+    pub(super) fn to_json(&self) -> Result<Vec<u8>, serde_json::Error> {
+        let mut bytes = serde_json::to_vec_pretty(self)?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+}
+
+/// Measures phases that follow each other.
+pub(super) struct Stopwatch(Instant);
+
+impl Stopwatch {
+    /// Starts the first phase.
+    pub(super) fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    /// Milliseconds of the phase that ends here; the next one starts.
+    pub(super) fn lap(&mut self) -> f64 {
+        let now = Instant::now();
+        let lap: Duration = now - core::mem::replace(&mut self.0, now);
+        lap.as_secs_f64() * 1e3
+    }
+}

@@ -1,0 +1,61 @@
+//! The camera: an entity with a pose and a lens.
+
+use bevy_ecs::prelude::*;
+use glam::DVec3;
+
+use crate::geometry::basis_looking;
+
+/// Where the camera stands and how it is turned. `l`, `r`, `u` are orthonormal and `u = r x l`.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct CameraPose {
+    /// Eye position in world units.
+    pub position: DVec3,
+    /// Look direction, unit.
+    pub l: DVec3,
+    /// Direction to the right of the picture, unit.
+    pub r: DVec3,
+    /// Direction to the top of the picture, unit.
+    pub u: DVec3,
+}
+
+impl CameraPose {
+    /// The pose at `position` that looks along `look` with `up` towards the top, see
+    /// [`basis_looking`]. `None` if `look` or `up` is zero or not finite.
+    pub fn looking(position: DVec3, look: DVec3, up: DVec3) -> Option<Self> {
+        let [l, r, u] = basis_looking(look, up)?;
+        Some(Self { position, l, r, u })
+    }
+}
+
+impl Default for CameraPose {
+    /// The start: at (0, -150, 50), looking along +y.
+    fn default() -> Self {
+        Self {
+            position: DVec3::new(0.0, -150.0, 50.0),
+            l: DVec3::Y,
+            r: DVec3::X,
+            u: DVec3::Z,
+        }
+    }
+}
+
+/// What the camera shows of the scene.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// Distance of the near plane along `l`, in world units, above 0. Camera rays start on it.
+    pub near: f64,
+    /// Distance of the far plane from the near one along `l`, in world units, above `near`. It ends camera rays;
+    /// shadow and mirror rays pass it.
+    pub far: f64,
+    /// Vertical field of view in degrees, above 0 and below 180.
+    pub fovy: f64,
+    /// Horizontal by vertical field of view, as a ratio of angles: the product with `fovy` is below 180.
+    pub aspect: f64,
+}
+
+impl Lens {
+    /// Horizontal field of view in degrees.
+    pub fn fovx(&self) -> f64 {
+        self.aspect * self.fovy
+    }
+}

@@ -1,0 +1,22 @@
+//! Data only: what a scene is made of.
+//!
+//! An object is an entity with a [`Position`] and a shape; its surface has a [`Color`], [`Ambient`] and
+//! [`Diffuse`] part. Whatever it can do beyond that is a component of its own ([`Gloss`], [`Mirror`],
+//! [`Textured`]), and so it is with lights ([`Falloff`], [`SpotCone`]): an effect that no entity carries does not
+//! exist for the trace.
+//!
+//! Lengths are in world units, the world is right-handed, z is up. What values are allowed is said once, in
+//! [`range`].
+
+mod camera;
+mod light;
+mod object;
+pub mod range;
+mod settings;
+mod surface;
+
+pub use camera::{CameraPose, Lens};
+pub use light::{Falloff, Light, SpotCone};
+pub use object::{Checkerboard, Cube, Order, Position, Pyramid, Sphere};
+pub use settings::Snapshot;
+pub use surface::{Ambient, Color, Diffuse, Gloss, Mirror, Texture, Textured};

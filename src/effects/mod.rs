@@ -1,0 +1,22 @@
+//! Light and colour: a hit and a light in, a number out.
+//!
+//! One file an effect. Nothing here searches the scene or recurses, and nothing decides whether an effect is
+//! present: the trace asks only for those that the tables hold rows of.
+
+mod checker;
+mod diffuse;
+mod falloff;
+mod gloss;
+mod mirror;
+mod rgb;
+mod spot_cone;
+mod texture;
+
+pub use checker::{CellPoint, cell_point};
+pub use diffuse::lambert;
+pub use falloff::attenuation;
+pub use gloss::phong;
+pub use mirror::reflect;
+pub use rgb::Rgb;
+pub use spot_cone::Cone;
+pub use texture::texel_index;

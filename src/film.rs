@@ -1,0 +1,97 @@
+//! The film: a square picture in linear colour.
+
+/// Linear red, green and blue of each pixel, 0 to 1; row 0 is the top, rows follow each other.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Film {
+    side: u32,
+    pixels: Vec<[f64; 3]>,
+}
+
+impl Film {
+    /// A black film of `side` by `side` pixels; `None` if there is no memory for it.
+    pub fn new(side: u32) -> Option<Self> {
+        let count = usize::try_from(u64::from(side) * u64::from(side)).ok()?;
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(count).ok()?;
+        pixels.resize(count, [0.0; 3]);
+        Some(Self { side, pixels })
+    }
+
+    /// Pixels along each side.
+    pub fn side(&self) -> u32 {
+        self.side
+    }
+
+    /// All pixels, top row first.
+    pub fn pixels(&self) -> &[[f64; 3]] {
+        &self.pixels
+    }
+
+    /// The picture in 8 bits a channel, red, green, blue, top row first: each channel times 255, truncated.
+    pub fn to_rgb8(&self) -> Vec<u8> {
+        self.pixels
+            .iter()
+            .flatten()
+            .map(|&channel| quantize(channel))
+            .collect()
+    }
+
+    /// The film cut into tiles of at most `size` by `size` pixels (at least 1), which can be filled in any order.
+    pub fn tiles_mut(&mut self, size: u32) -> Vec<FilmTile<'_>> {
+        let size = size.clamp(1, self.side.max(1));
+        let width = self.side as usize;
+        let mut tiles = Vec::new();
+        for (band, top) in self
+            .pixels
+            .chunks_mut((width * size as usize).max(1))
+            .zip((0..self.side).step_by(size as usize))
+        {
+            let first = tiles.len();
+            tiles.extend((0..self.side).step_by(size as usize).map(|left| FilmTile {
+                left,
+                top,
+                rows: Vec::with_capacity(size as usize),
+            }));
+            for row in band.chunks_mut(width) {
+                for (tile, part) in tiles[first..].iter_mut().zip(row.chunks_mut(size as usize)) {
+                    tile.rows.push(part);
+                }
+            }
+        }
+        tiles
+    }
+}
+
+/// A rectangle of a film that can be written while others write the rest.
+#[derive(Debug)]
+pub struct FilmTile<'a> {
+    left: u32,
+    top: u32,
+    rows: Vec<&'a mut [[f64; 3]]>,
+}
+
+impl FilmTile<'_> {
+    /// Column of the first pixel of each row.
+    pub fn left(&self) -> u32 {
+        self.left
+    }
+
+    /// Number of pixels.
+    pub fn area(&self) -> u64 {
+        self.rows.iter().map(|row| row.len() as u64).sum()
+    }
+
+    /// The rows from the top, each with its number in the film.
+    pub fn rows_mut(&mut self) -> impl Iterator<Item = (u32, &mut [[f64; 3]])> {
+        (self.top..).zip(self.rows.iter_mut().map(|row| &mut **row))
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "truncation is the definition; the channel is clamped to 0..=1"
+)]
+fn quantize(channel: f64) -> u8 {
+    (channel * 255.0) as u8
+}

@@ -1,0 +1,32 @@
+//! Orthonormal camera bases.
+
+use glam::DVec3;
+
+/// The basis `[l, r, u]` of a camera: `l = unit(look)`, `r = unit(look x up)`, `u = r x l`. `None` if `look` or `up`
+/// is zero or not finite.
+///
+/// Where `look` is parallel to `up`, +y takes the part of `up`, or -x where +y is parallel as well.
+pub fn basis_looking(look: DVec3, up: DVec3) -> Option<[DVec3; 3]> {
+    let l = unit(look)?;
+    let up = unit(up)?;
+    let r = [up, DVec3::Y, DVec3::NEG_X]
+        .into_iter()
+        .find_map(|up| across(l, up))?;
+    Some([l, r, r.cross(l)])
+}
+
+/// The unit vector along `v`, found without overflow or underflow.
+fn unit(v: DVec3) -> Option<DVec3> {
+    let largest = v.abs().max_element();
+    if !(largest > 0.0 && v.is_finite()) {
+        return None;
+    }
+    let scaled = v / largest;
+    Some(scaled / scaled.length())
+}
+
+/// The unit vector perpendicular to two unit vectors, unless rounding is all that keeps them apart.
+fn across(l: DVec3, up: DVec3) -> Option<DVec3> {
+    let cross = l.cross(up);
+    (cross.length() > 4.0 * f64::EPSILON).then(|| cross / cross.length())
+}

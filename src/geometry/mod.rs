@@ -1,0 +1,29 @@
+//! Intersection kernels: numbers in, numbers out.
+//!
+//! Nothing here knows an entity, a colour or a tolerance. Every shape is convex, and that carries the whole
+//! treatment of secondary rays: a ray that leaves a convex body outwards cannot meet it again, so the body is
+//! skipped and no offset is needed; a ray that goes on inside must leave it once, so it has a kernel of its own
+//! ([`Convex::exit`]). Hit points are snapped onto the face they belong to ([`Convex::locate`]).
+//!
+//! All kernels are generic over the precision ([`Real`]: `f64`, `f32`).
+
+mod basis;
+mod clip;
+mod compensated;
+mod cube;
+mod plane;
+mod pyramid;
+mod ray;
+mod real;
+mod sphere;
+mod vector;
+
+pub use basis::basis_looking;
+pub use compensated::{two_diff, two_prod, two_sum};
+pub use cube::CubeShape;
+pub use plane::PlaneShape;
+pub use pyramid::PyramidShape;
+pub use ray::{Convex, Crossing, Ray, Side, SurfacePoint};
+pub use real::Real;
+pub use sphere::SphereShape;
+pub use vector::Vector;

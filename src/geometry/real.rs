@@ -1,0 +1,170 @@
+//! The precision of a kernel.
+
+use core::fmt::{Debug, Display};
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A floating-point precision that every kernel can be compiled for: `f64` (default) or `f32`.
+///
+/// Transcendental functions come from the `libm` crate, so that a picture is the same on every machine.
+/// There is deliberately no `mul_add`: without the FMA target feature it calls a software routine, and with it
+/// pictures would depend on the CPU.
+pub trait Real:
+    Copy
+    + Debug
+    + Default
+    + Display
+    + PartialOrd
+    + Send
+    + Sync
+    + Add<Output = Self>
+    + AddAssign
+    + Sub<Output = Self>
+    + SubAssign
+    + Mul<Output = Self>
+    + MulAssign
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// 2.
+    const TWO: Self;
+    /// The largest value, above every finite one.
+    const INFINITY: Self;
+    /// `2^ceil(p/2) + 1` for a significand of `p` bits: splits a number into two halves (Dekker 1971).
+    const SPLITTER: Self;
+    /// Largest length or coordinate, and the inverse of the smallest length, for which no kernel overflows or
+    /// loses a product to underflow. The largest product formed is of fourth degree in lengths.
+    const LENGTH_LIMIT: f64;
+    /// The name on the command line and in reports: `"f64"` or `"f32"`.
+    const NAME: &'static str;
+
+    /// The nearest value of this precision.
+    fn from_f64(value: f64) -> Self;
+    /// The same value as `f64`, exactly.
+    fn to_f64(self) -> f64;
+    /// A whole number below 2^24, exactly.
+    fn from_u32(value: u32) -> Self;
+    /// Correctly rounded square root.
+    fn sqrt(self) -> Self;
+    /// Magnitude.
+    fn abs(self) -> Self;
+    /// The greatest whole number not above `self`.
+    fn floor(self) -> Self;
+    /// The magnitude of `self` with the sign of `sign`.
+    fn copysign(self, sign: Self) -> Self;
+    /// `e^self`.
+    fn exp(self) -> Self;
+    /// `self^exponent`.
+    fn pow(self, exponent: Self) -> Self;
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+
+    /// The larger of two numbers, neither of them NaN.
+    #[inline(always)]
+    fn at_least(self, low: Self) -> Self {
+        if self < low { low } else { self }
+    }
+
+    /// The smaller of two numbers, neither of them NaN.
+    #[inline(always)]
+    fn at_most(self, high: Self) -> Self {
+        if self > high { high } else { self }
+    }
+}
+
+macro_rules! real {
+    ($float:ident, $splitter:expr, $limit:expr, $from:expr, $from_u32:expr, $exp:path, $pow:path) => {
+        impl Real for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const INFINITY: Self = $float::INFINITY;
+            const SPLITTER: Self = $splitter;
+            const LENGTH_LIMIT: f64 = $limit;
+            const NAME: &'static str = stringify!($float);
+
+            #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                $from(value)
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+            #[inline(always)]
+            fn from_u32(value: u32) -> Self {
+                $from_u32(value)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $float::sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+            #[inline(always)]
+            fn floor(self) -> Self {
+                $float::floor(self)
+            }
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                $float::copysign(self, sign)
+            }
+            #[inline(always)]
+            fn exp(self) -> Self {
+                $exp(self)
+            }
+            #[inline(always)]
+            fn pow(self, exponent: Self) -> Self {
+                $pow(self, exponent)
+            }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $float::is_finite(self)
+            }
+        }
+    };
+}
+
+/// Rounds to nearest: the one place where precision is given up.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounding to f32 is what choosing f32 means"
+)]
+#[inline(always)]
+fn round_to_f32(value: f64) -> f32 {
+    value as f32
+}
+
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "callers pass pixel coordinates, below 2^24"
+)]
+#[inline(always)]
+fn f32_from_u32(value: u32) -> f32 {
+    value as f32
+}
+
+real!(
+    f64,
+    134_217_729.0,
+    1e70,
+    core::convert::identity,
+    f64::from,
+    libm::exp,
+    libm::pow
+);
+real!(
+    f32,
+    4097.0,
+    1e9,
+    round_to_f32,
+    f32_from_u32,
+    libm::expf,
+    libm::powf
+);

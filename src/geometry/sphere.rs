@@ -1,0 +1,112 @@
+//! The sphere: stable from a pebble at the horizon to a planet under one's feet.
+
+use super::compensated::{square_excess, two_diff_vector};
+use super::{Convex, Crossing, Ray, Real, Side, SurfacePoint, Vector};
+
+/// A closed ball.
+#[derive(Clone, Copy, Debug)]
+pub struct SphereShape<T> {
+    /// Centre.
+    pub center: Vector<T>,
+    /// Radius, above 0.
+    pub radius: T,
+}
+
+/// The chord that a line cuts out of a ball, with `t = 0` at the ray's origin.
+struct Chord<T> {
+    /// Origin relative to the centre, and what rounding took from it.
+    offset: Vector<T>,
+    offset_error: Vector<T>,
+    /// Squared length of the direction.
+    a: T,
+    /// `a` times the parameter of the chord's middle.
+    h: T,
+    /// The chord's middle relative to the centre.
+    middle: Vector<T>,
+    /// Squared half chord, in world units; negative where the line misses.
+    half_squared: T,
+}
+
+impl<T: Real> SphereShape<T> {
+    #[inline(always)]
+    fn chord(&self, ray: &Ray<T>) -> Chord<T> {
+        let direction = ray.direction;
+        let (offset, offset_error) = two_diff_vector(ray.origin, self.center);
+        let a = direction.dot(direction);
+        let h = -(offset.dot(direction) + offset_error.dot(direction));
+        // The middle is the part of the offset perpendicular to the ray. One more projection removes what
+        // rounding left along the ray: that part would count with the full distance to the sphere.
+        let near_middle = offset + direction * (h / a);
+        let middle = near_middle - direction * (near_middle.dot(direction) / a);
+        // r^2 - |m|^2 in factored form: the difference is formed before anything is squared (Haines, Ray Tracing
+        // Gems, chapter 7, has the perpendicular form).
+        let distance = middle.length();
+        let half_squared = (self.radius - distance) * (self.radius + distance);
+        Chord {
+            offset,
+            offset_error,
+            a,
+            h,
+            middle,
+            half_squared,
+        }
+    }
+}
+
+impl<T: Real> Convex<T> for SphereShape<T> {
+    /// Textbook `b^2 - 4ac` loses all digits when the sphere is small and far; the perpendicular form alone loses
+    /// them when it is huge and near. Here the discriminant is perpendicular and factored, `c` is compensated, and
+    /// the two roots come from `q` without cancellation: both ends keep `t` to a few units in the last place.
+    #[inline(always)]
+    fn intersect(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
+        // 1. The chord; a negative square means that the line passes by.
+        let chord = self.chord(ray);
+        if chord.half_squared < T::ZERO {
+            return None;
+        }
+        // 2. c = |offset|^2 - r^2 tells inside from outside and is the product of the roots times a.
+        let c = square_excess(chord.offset, chord.offset_error, self.radius);
+        // 3. q has the larger magnitude of the two numerators, so nothing cancels in it.
+        let q = chord.h + (chord.a * chord.half_squared).sqrt().copysign(chord.h);
+        let (near, far) = if chord.h > T::ZERO {
+            (c / q, q / chord.a)
+        } else {
+            (q / chord.a, c / q)
+        };
+        // 4. The first root ahead. A quotient 0/0 (tangent at the origin itself) compares false: no crossing.
+        let (t, side) = if near > T::ZERO {
+            (near, Side::Outside)
+        } else {
+            (far, Side::Inside)
+        };
+        (t > T::ZERO && t.is_finite()).then_some(Crossing { t, face: 0, side })
+    }
+
+    #[inline(always)]
+    fn exit(&self, ray: &Ray<T>, _from: u8) -> Crossing<T> {
+        // The origin is a root already, so the other one is twice the way to the chord's middle.
+        let chord = self.chord(ray);
+        let t = (T::TWO * chord.h / chord.a).at_least(T::ZERO);
+        Crossing {
+            t,
+            face: 0,
+            side: Side::Inside,
+        }
+    }
+
+    #[inline(always)]
+    fn locate(&self, ray: &Ray<T>, crossing: &Crossing<T>) -> SurfacePoint<T> {
+        // From quantities relative to the centre; subtracting the centre from a world point would lose digits.
+        let chord = self.chord(ray);
+        let half = (chord.half_squared.at_least(T::ZERO) / chord.a).sqrt();
+        let along = match crossing.side {
+            Side::Outside => -half,
+            Side::Inside => half,
+        };
+        let normal = (chord.middle + ray.direction * along).unit();
+        SurfacePoint {
+            point: self.center + normal * self.radius,
+            normal,
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Image files in and out.
+
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+
+use image::{DynamicImage, ImageFormat, ImageReader, Limits, RgbImage};
+use thiserror::Error;
+
+use crate::components::Texture;
+use crate::film::Film;
+use crate::whole_file::{WriteError, write_whole};
+
+/// Most texels along one side of a texture.
+pub const MAX_TEXTURE_SIDE: u32 = 8192;
+
+/// A picture or texture file that cannot be used.
+#[derive(Debug, Error)]
+pub enum ImageFileError {
+    /// The ending names no format that can be written.
+    #[error("cannot tell the format of {0}: its name must end in .bmp or .png")]
+    Ending(PathBuf),
+    /// The picture cannot be encoded.
+    #[error("cannot encode {0}: {1}")]
+    Encode(PathBuf, image::ImageError),
+    /// The file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// The texture cannot be read.
+    #[error("cannot read texture {0}: {1}")]
+    Read(PathBuf, image::ImageError),
+    /// The texture is no file.
+    #[error("cannot read texture {0}: not a regular file")]
+    NotAFile(PathBuf),
+    /// The texture is empty.
+    #[error("cannot read texture {0}: it has no texel")]
+    Empty(PathBuf),
+}
+
+/// The format that a name asks for by its ending, `.bmp` or `.png` in any case.
+pub fn format_of(path: &Path) -> Result<ImageFormat, ImageFileError> {
+    match ImageFormat::from_path(path) {
+        Ok(format @ (ImageFormat::Bmp | ImageFormat::Png)) => Ok(format),
+        _ => Err(ImageFileError::Ending(path.to_owned())),
+    }
+}
+
+/// The bytes of a picture file: 24-bit BMP or 8-bit RGB PNG by the path's ending.
+pub fn encode(film: &Film, path: &Path) -> Result<Vec<u8>, ImageFileError> {
+    let format = format_of(path)?;
+    let mut bytes = Vec::new();
+    let image = RgbImage::from_raw(film.side(), film.side(), film.to_rgb8()).unwrap_or_default();
+    DynamicImage::ImageRgb8(image)
+        .write_to(&mut Cursor::new(&mut bytes), format)
+        .map_err(|error| ImageFileError::Encode(path.to_owned(), error))?;
+    Ok(bytes)
+}
+
+/// Writes a picture, BMP or PNG by the path's ending; the file appears whole or not at all.
+pub fn save(film: &Film, path: &Path) -> Result<(), ImageFileError> {
+    Ok(write_whole(path, &encode(film, path)?)?)
+}
+
+/// Reads a texture of at most [`MAX_TEXTURE_SIDE`] texels a side, BMP or PNG by its content.
+pub fn load_texture(path: &Path) -> Result<Texture, ImageFileError> {
+    let unreadable = |error| ImageFileError::Read(path.to_owned(), error);
+    let metadata = path.metadata().map_err(|error| unreadable(error.into()))?;
+    if !metadata.is_file() {
+        return Err(ImageFileError::NotAFile(path.to_owned()));
+    }
+    let reader = ImageReader::open(path).and_then(ImageReader::with_guessed_format);
+    let image = decode(reader.map_err(|error| unreadable(error.into()))?).map_err(unreadable)?;
+    texture(&image).ok_or_else(|| ImageFileError::Empty(path.to_owned()))
+}
+
+/// Reads a texture from the bytes of a file; `None` if they are none.
+pub fn decode_texture(bytes: &[u8]) -> Option<Texture> {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().ok()?;
+    texture(&decode(reader).ok()?)
+}
+
+fn decode<R: std::io::BufRead + std::io::Seek>(mut reader: ImageReader<R>) -> image::ImageResult<RgbImage> {
+    let mut limits = Limits::default();
+    limits.max_image_width = Some(MAX_TEXTURE_SIDE);
+    limits.max_image_height = Some(MAX_TEXTURE_SIDE);
+    reader.limits(limits);
+    Ok(reader.decode()?.into_rgb8())
+}
+
+fn texture(image: &RgbImage) -> Option<Texture> {
+    Texture::new(
+        image.width(),
+        image.height(),
+        image.pixels().map(|texel| texel.0).collect(),
+    )
+}

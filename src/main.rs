@@ -1,0 +1,7 @@
+//! The `archetrace` program.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    archetrace::cli::run()
+}

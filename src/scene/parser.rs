@@ -1,0 +1,380 @@
+//! Words to [`Description`].
+
+use core::ops::Range as Span;
+
+use glam::DVec3;
+
+use crate::components::range::{
+    COEFFICIENT, COLOR, COORDINATE, CUTOFF, FALLOFF, FIELD_OF_VIEW, LENGTH, MAX_LEVEL, MAX_PIXELS, RATIO,
+    Range, SHININESS,
+};
+
+use super::description::{
+    BoardDescription, Description, LightDescription, ObjectDescription, ShapeDescription, SpotDescription,
+    SurfaceDescription,
+};
+use super::lexer::{Lexer, Word};
+use super::problem::{Problem, quoted};
+
+/// Most objects in a file.
+pub const MAX_OBJECTS: u32 = 2_000_000;
+/// Most lights of each kind in a file.
+pub const MAX_LIGHTS: u32 = 10_000;
+/// Most problems and most warnings that are worth telling.
+const MAX_PROBLEMS: usize = 20;
+
+/// Reads a scene. On success there may be warnings; on failure there is every problem that could be told apart
+/// from its consequences, at least one.
+pub fn parse(text: &str) -> Result<(Description, Vec<Problem>), Vec<Problem>> {
+    let mut parser = Parser {
+        text,
+        words: Lexer::new(text).peekable(),
+        end: text.trim_end().len(),
+        last: 0..0,
+        problems: Vec::new(),
+        warnings: Vec::new(),
+        unshown_warnings: 0,
+    };
+    match parser.file() {
+        Ok(description) if parser.problems.is_empty() => Ok((description, parser.finished_warnings())),
+        _ => Err(parser.problems),
+    }
+}
+
+/// Why the parser leaves a rule early; what is wrong has been noted.
+enum Stop {
+    /// Here an object starts, before the last one was complete: reading can go on with it.
+    AtObject,
+    /// Nothing that follows can be made sense of.
+    Lost,
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    words: core::iter::Peekable<Lexer<'a>>,
+    /// Where the text ends, blanks left out.
+    end: usize,
+    /// The word read last.
+    last: Span<usize>,
+    problems: Vec<Problem>,
+    warnings: Vec<Problem>,
+    unshown_warnings: usize,
+}
+
+const OBJECT_WORDS: [&str; 3] = ["sphere", "cube", "pyramid"];
+
+fn is_object_word(word: &str) -> bool {
+    OBJECT_WORDS.contains(&word)
+}
+
+impl<'a> Parser<'a> {
+    fn file(&mut self) -> Result<Description, Stop> {
+        let near = self.number("the distance of the near plane", &LENGTH)?;
+        let far = self.number("the distance of the far plane", &LENGTH)?;
+        if near >= far {
+            let message = format!("the far plane at {far} is not beyond the near plane");
+            self.fail(self.last.clone(), message, format!("must be greater than {near}"))?;
+        }
+        let fovy = self.number("the vertical field of view", &FIELD_OF_VIEW)?;
+        let aspect = self.number("the aspect ratio", &RATIO)?;
+        if FIELD_OF_VIEW.contains(fovy) && RATIO.contains(aspect) && !FIELD_OF_VIEW.contains(aspect * fovy) {
+            let found = format!(
+                "the horizontal field of view, {aspect} * {fovy}, is {} degrees",
+                aspect * fovy
+            );
+            self.fail(self.last.clone(), found, "must keep it below 180 degrees")?;
+        }
+        let level = self.whole("the level of recursion", 0, MAX_LEVEL)?;
+        let pixels = self.whole("the number of pixels along each side", 1, MAX_PIXELS)?;
+        let board = self.board()?;
+        let objects = self.objects()?;
+        let lights = self.list("normal light", |parser| parser.light("light"))?;
+        let spots = self.list("spotlight", Self::spot)?;
+        Ok(Description {
+            near,
+            far,
+            fovy,
+            aspect,
+            level,
+            pixels,
+            board,
+            objects,
+            lights,
+            spots,
+        })
+    }
+
+    fn board(&mut self) -> Result<BoardDescription, Stop> {
+        let cell = self.number("the width of the checkerboard's cells", &LENGTH)?;
+        let ambient = self.number("the checkerboard's ambient coefficient", &COEFFICIENT)?;
+        let start = self.last.start;
+        let diffuse = self.number("the checkerboard's diffuse coefficient", &COEFFICIENT)?;
+        let reflection = self.number("the checkerboard's reflection coefficient", &COEFFICIENT)?;
+        self.check_sum(
+            start,
+            "ambient + diffuse + reflection",
+            (ambient + diffuse) + reflection,
+        );
+        Ok(BoardDescription {
+            cell,
+            ambient,
+            diffuse,
+            reflection,
+        })
+    }
+
+    fn objects(&mut self) -> Result<Vec<ObjectDescription>, Stop> {
+        let count = self.whole("the number of objects", 0, MAX_OBJECTS)?;
+        let line = self.text[..self.last.start].matches('\n').count() + 1;
+        // Grown as objects come: a count alone costs no memory.
+        let mut objects = Vec::new();
+        for index in 1..=count {
+            match self.object(index, count) {
+                Ok(object) => objects.push(object),
+                Err(Stop::AtObject) => {}
+                Err(Stop::Lost) => return Err(Stop::Lost),
+            }
+        }
+        if let Some(word) = self
+            .words
+            .peek()
+            .filter(|word| is_object_word(word.text))
+            .copied()
+        {
+            self.note(
+                Problem::error(
+                    word.span(),
+                    format!(
+                        "found {} where the number of normal lights should be",
+                        quoted(word.text)
+                    ),
+                    "one object more than announced",
+                )
+                .with_note(format!(
+                    "the number of objects is given as {count} in line {line}"
+                )),
+            )?;
+            return Err(Stop::Lost);
+        }
+        Ok(objects)
+    }
+
+    fn object(&mut self, index: u32, count: u32) -> Result<ObjectDescription, Stop> {
+        let Some(word) = self.next() else {
+            return self.ended(&format!("object {index} of {count}"), "sphere, cube or pyramid");
+        };
+        if !is_object_word(word.text) {
+            let message = format!(
+                "found {} where object {index} of {count} should start",
+                quoted(word.text)
+            );
+            self.fail(word.span(), message, "must be sphere, cube or pyramid")?;
+            return self.skip_to_object();
+        }
+        let name = word.text;
+        let position = self.point(|axis| format!("the {name}'s {axis}"))?;
+        let mut length = |what: &str| self.number(&format!("the {name}'s {what}"), &LENGTH);
+        let shape = match name {
+            "sphere" => ShapeDescription::Sphere {
+                radius: length("radius")?,
+            },
+            "cube" => ShapeDescription::Cube {
+                side: length("side")?,
+            },
+            _ => ShapeDescription::Pyramid {
+                width: length("width")?,
+                height: length("height")?,
+            },
+        };
+        let surface = self.surface(name)?;
+        Ok(ObjectDescription {
+            position,
+            shape,
+            surface,
+        })
+    }
+
+    fn surface(&mut self, name: &str) -> Result<SurfaceDescription, Stop> {
+        let mut channel = |what: &str| self.number(&format!("the {name}'s {what}"), &COLOR);
+        let color = DVec3::new(channel("red")?, channel("green")?, channel("blue")?);
+        let ambient = self.number(&format!("the {name}'s ambient coefficient"), &COEFFICIENT)?;
+        let start = self.last.start;
+        let mut coefficient =
+            |what: &str| self.number(&format!("the {name}'s {what} coefficient"), &COEFFICIENT);
+        let diffuse = coefficient("diffuse")?;
+        let specular = coefficient("specular")?;
+        let reflection = coefficient("reflection")?;
+        let sum = ((ambient + diffuse) + specular) + reflection;
+        self.check_sum(start, "ambient + diffuse + specular + reflection", sum);
+        let shininess = self.number(&format!("the {name}'s shininess"), &SHININESS)?;
+        Ok(SurfaceDescription {
+            color,
+            ambient,
+            diffuse,
+            specular,
+            reflection,
+            shininess,
+        })
+    }
+
+    /// A count and that many items. Nothing here has a word of its own, so nothing can be skipped to.
+    fn list<I>(
+        &mut self,
+        name: &str,
+        mut item: impl FnMut(&mut Self) -> Result<I, Stop>,
+    ) -> Result<Vec<I>, Stop> {
+        let count = self.whole(&format!("the number of {name}s"), 0, MAX_LIGHTS)?;
+        let mut items = Vec::new();
+        for _ in 0..count {
+            items.push(item(self)?);
+        }
+        Ok(items)
+    }
+
+    fn light(&mut self, name: &str) -> Result<LightDescription, Stop> {
+        let position = self.point(|axis| format!("the {name}'s {axis}"))?;
+        let falloff = self.number(&format!("the {name}'s falloff"), &FALLOFF)?;
+        Ok(LightDescription { position, falloff })
+    }
+
+    fn spot(&mut self) -> Result<SpotDescription, Stop> {
+        let light = self.light("spotlight")?;
+        let target = self.point(|axis| format!("the {axis} of the point that the spotlight looks at"))?;
+        if target == light.position {
+            let message = "the spotlight looks at its own position, so its cone has no direction";
+            self.fail(self.last.clone(), message.into(), "the point must be another one")?;
+        }
+        let cutoff = self.number("the spotlight's cutoff angle", &CUTOFF)?;
+        Ok(SpotDescription {
+            light,
+            target,
+            cutoff,
+        })
+    }
+
+    fn point(&mut self, name: impl Fn(char) -> String) -> Result<DVec3, Stop> {
+        let mut coordinate = |axis| self.number(&name(axis), &COORDINATE);
+        Ok(DVec3::new(coordinate('x')?, coordinate('y')?, coordinate('z')?))
+    }
+
+    /// A number in its range. One that is not is noted and read as NaN: the description is dropped then, and NaN
+    /// fails no further check.
+    fn number(&mut self, what: &str, range: &Range) -> Result<f64, Stop> {
+        let word = self.value_word(what, range.words)?;
+        match word.text.parse::<f64>() {
+            Ok(number) if range.contains(number) => return Ok(number),
+            Ok(number) if number.is_finite() => {
+                let message = format!("{what} is {}", quoted(word.text));
+                self.fail(word.span(), message, format!("must be {}", range.words))?;
+            }
+            _ => {
+                let message = format!("found {} where {what} should be", quoted(word.text));
+                self.fail(word.span(), message, format!("must be {}", range.words))?;
+            }
+        }
+        Ok(f64::NAN)
+    }
+
+    /// A whole number in its range. Whatever comes after a wrong one cannot be counted, so nothing goes on.
+    fn whole(&mut self, what: &str, low: u32, high: u32) -> Result<u32, Stop> {
+        let words = format!("a whole number from {low} to {high}");
+        let word = self.value_word(what, &words)?;
+        match word.text.parse::<u32>() {
+            Ok(number) if (low..=high).contains(&number) => Ok(number),
+            _ => {
+                let is_number = word.text.parse::<f64>().is_ok_and(f64::is_finite);
+                let message = if is_number {
+                    format!("{what} is {}", quoted(word.text))
+                } else {
+                    format!("found {} where {what} should be", quoted(word.text))
+                };
+                self.fail(word.span(), message, format!("must be {words}"))?;
+                Err(Stop::Lost)
+            }
+        }
+    }
+
+    /// The next word, which should be a value and not the start of an object.
+    fn value_word(&mut self, what: &str, allowed: &str) -> Result<Word<'a>, Stop> {
+        if let Some(word) = self
+            .words
+            .peek()
+            .copied()
+            .filter(|word| is_object_word(word.text))
+        {
+            let message = format!("found {} where {what} should be", quoted(word.text));
+            self.fail(word.span(), message, format!("{allowed} is missing before this"))?;
+            return Err(Stop::AtObject);
+        }
+        match self.next() {
+            Some(word) => Ok(word),
+            None => self.ended(what, allowed),
+        }
+    }
+
+    fn next(&mut self) -> Option<Word<'a>> {
+        let word = self.words.next()?;
+        self.last = word.span();
+        Some(word)
+    }
+
+    fn ended<R>(&mut self, what: &str, allowed: &str) -> Result<R, Stop> {
+        let message = format!("the file ends where {what} should be");
+        self.fail(self.end..self.end, message, format!("{allowed} is missing"))?;
+        Err(Stop::Lost)
+    }
+
+    /// Passes over what belongs to an object of unknown kind.
+    fn skip_to_object<R>(&mut self) -> Result<R, Stop> {
+        while let Some(word) = self.words.peek() {
+            if is_object_word(word.text) {
+                return Err(Stop::AtObject);
+            }
+            self.words.next();
+        }
+        Err(Stop::Lost)
+    }
+
+    fn check_sum(&mut self, start: usize, names: &str, sum: f64) {
+        // The promise is in decimal; sums of doubles meet it only nearly.
+        if (sum - 1.0).abs() <= 1e-6 || sum.is_nan() {
+            return;
+        }
+        if self.warnings.len() == MAX_PROBLEMS {
+            self.unshown_warnings += 1;
+            return;
+        }
+        let rounded = (sum * 1e6).round() / 1e6;
+        let message = format!("the coefficients add up to {rounded}");
+        self.warnings.push(Problem::warning(
+            start..self.last.end,
+            message,
+            format!("{names} should be 1"),
+        ));
+    }
+
+    fn finished_warnings(mut self) -> Vec<Problem> {
+        if let Some(last) = self.warnings.last_mut().filter(|_| self.unshown_warnings > 0) {
+            last.note = Some(format!(
+                "{} more such warnings are not shown",
+                self.unshown_warnings
+            ));
+        }
+        self.warnings
+    }
+
+    fn fail(&mut self, span: Span<usize>, message: String, label: impl Into<String>) -> Result<(), Stop> {
+        self.note(Problem::error(span, message, label))
+    }
+
+    fn note(&mut self, problem: Problem) -> Result<(), Stop> {
+        self.problems.push(problem);
+        if self.problems.len() < MAX_PROBLEMS {
+            return Ok(());
+        }
+        if let Some(last) = self.problems.last_mut() {
+            last.note = Some("too many problems: what follows was not read".into());
+        }
+        Err(Stop::Lost)
+    }
+}

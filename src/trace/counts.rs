@@ -1,0 +1,32 @@
+//! What a frame did, counted.
+
+use core::ops::AddAssign;
+
+/// Rays traced, by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCounts {
+    /// From the camera: one a pixel, none at level 0.
+    pub primary: u64,
+    /// Towards a light.
+    pub shadow: u64,
+    /// Off a mirror.
+    pub mirror: u64,
+}
+
+/// What was done for some pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Rays traced.
+    pub rays: RayCounts,
+    /// Pixels whose radiance came out infinite or NaN. There should be none; they are shown black.
+    pub non_finite: u64,
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.rays.primary += other.rays.primary;
+        self.rays.shadow += other.rays.shadow;
+        self.rays.mirror += other.rays.mirror;
+        self.non_finite += other.non_finite;
+    }
+}

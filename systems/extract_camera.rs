@@ -1,0 +1,66 @@
+//! The camera to its rays.
+
+use bevy_ecs::prelude::*;
+
+use crate::components::range::{FIELD_OF_VIEW, MAX_LEVEL, MAX_PIXELS, RATIO};
+use crate::components::{CameraPose, Lens, Snapshot};
+use crate::geometry::Real;
+use crate::trace::CameraRays;
+
+use super::Tables;
+use super::problem::{Checks, WorldProblem};
+
+/// Sets up the rays of the one camera there must be, for the size of the snapshot.
+pub(super) fn extract_camera<T: Real>(
+    cameras: Query<(Entity, &CameraPose, &Lens)>,
+    snapshot: Res<Snapshot>,
+    mut tables: ResMut<Tables<T>>,
+) {
+    let mut checks = Checks::default();
+    check_snapshot(&snapshot, &mut checks);
+    tables.camera = match cameras.single() {
+        Ok((entity, pose, lens)) => {
+            check_camera::<T>(entity, pose, lens, &mut checks);
+            checks
+                .problems
+                .is_empty()
+                .then(|| CameraRays::new(pose, lens, snapshot.pixels))
+        }
+        Err(_) => {
+            checks.problems.push(WorldProblem::Cameras {
+                found: cameras.iter().len(),
+            });
+            None
+        }
+    };
+    tables.problems.insert("Camera", checks.problems);
+}
+
+fn check_snapshot(snapshot: &Snapshot, checks: &mut Checks) {
+    let values = [
+        ("pixels", snapshot.pixels, 1, MAX_PIXELS),
+        ("level", snapshot.level, 0, MAX_LEVEL),
+    ];
+    for (value, found, low, high) in values {
+        if !(low..=high).contains(&found) {
+            checks.problems.push(WorldProblem::Snapshot {
+                value,
+                found,
+                low,
+                high,
+            });
+        }
+    }
+}
+
+fn check_camera<T: Real>(entity: Entity, pose: &CameraPose, lens: &Lens, checks: &mut Checks) {
+    checks.point::<T>(entity, "CameraPose.position", pose.position);
+    if ![pose.l, pose.r, pose.u].iter().all(|axis| axis.is_normalized()) {
+        checks.problems.push(WorldProblem::NoBasis { entity });
+    }
+    checks.length::<T>(entity, "Lens.near", lens.near);
+    checks.value(entity, "Lens.far", lens.far, &crate::components::range::LENGTH);
+    checks.value(entity, "Lens.fovy", lens.fovy, &FIELD_OF_VIEW);
+    checks.value(entity, "Lens.aspect", lens.aspect, &RATIO);
+    checks.value(entity, "Lens.fovy * aspect", lens.fovx(), &FIELD_OF_VIEW);
+}

@@ -1,0 +1,73 @@
+//! What a frame leaves in the World: its tables and its picture.
+
+use std::collections::BTreeMap;
+
+use bevy_ecs::prelude::*;
+use thiserror::Error;
+
+use crate::components::range::MAX_PIXELS;
+use crate::film::Film;
+use crate::geometry::Real;
+use crate::trace::{CameraRays, Counts, SceneTables};
+
+use super::WorldProblem;
+
+/// The tables of one precision, kept from frame to frame.
+#[derive(Resource, Default)]
+pub struct Tables<T: Real> {
+    /// Objects and lights.
+    pub scene: SceneTables<T>,
+    /// The camera's rays; absent until there is exactly one usable camera.
+    pub camera: Option<CameraRays<T>>,
+    /// What is wrong, by the table that it keeps from being right.
+    pub(super) problems: BTreeMap<&'static str, Vec<WorldProblem>>,
+}
+
+impl<T: Real> Tables<T> {
+    /// Everything that is wrong with the World, as of the last extraction.
+    pub fn problems(&self) -> Vec<WorldProblem> {
+        self.problems.values().flatten().cloned().collect()
+    }
+}
+
+/// The picture of the last frame.
+#[derive(Resource, Default)]
+pub struct Frame {
+    pub(super) film: Film,
+    pub(super) counts: Counts,
+    pub(super) error: Option<FrameError>,
+}
+
+impl Frame {
+    /// The film and what was counted while it was traced; or why there is none.
+    pub fn traced(&self) -> Result<(&Film, &Counts), FrameError> {
+        match &self.error {
+            Some(error) => Err(error.clone()),
+            None => Ok((&self.film, &self.counts)),
+        }
+    }
+}
+
+/// Why a frame has no picture.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum FrameError {
+    /// The World holds something that cannot be traced.
+    #[error("{}", list(.0))]
+    World(Vec<WorldProblem>),
+    /// The film does not fit into memory.
+    #[error("no memory for a picture of {0} x {0} pixels (the most allowed is {MAX_PIXELS})")]
+    Memory(u32),
+    /// The monitor asked to stop.
+    #[error("interrupted")]
+    Cancelled,
+}
+
+/// One problem a line, the first few.
+fn list(problems: &[WorldProblem]) -> String {
+    const SHOWN: usize = 10;
+    let mut lines: Vec<String> = problems.iter().take(SHOWN).map(WorldProblem::to_string).collect();
+    if problems.len() > SHOWN {
+        lines.push(format!("and {} more", problems.len() - SHOWN));
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,103 @@
+//! What runs, and when: this page is the one place that orders systems.
+//!
+//! ```text
+//! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
+//!                  extract_lights   only if lights changed, came or went
+//!                  extract_camera   always: two tangents
+//! Stage::Trace     trace            tables and camera to film, tiles in parallel
+//! (last)           end_frame        forgets removals that everyone has seen
+//! ```
+//!
+//! Extraction comes before tracing because a frame is traced from tables alone: nothing can change under its
+//! threads. A user's own systems go `.before(Stage::Extract)`. Systems touch no file and hold no arithmetic.
+
+mod changes;
+mod extract_camera;
+mod extract_lights;
+mod extract_objects;
+mod frame;
+mod problem;
+mod trace;
+mod workers;
+
+use bevy_ecs::prelude::*;
+use bevy_ecs::schedule::{IntoScheduleConfigs, Schedule};
+
+use crate::components::{Checkerboard, Cube, Pyramid, Sphere};
+use crate::geometry::Real;
+
+use changes::{lights_changed, objects_changed};
+use extract_camera::extract_camera;
+use extract_lights::extract_lights;
+use extract_objects::extract_objects;
+use trace::trace;
+
+pub use frame::{Frame, FrameError, Tables};
+pub use problem::WorldProblem;
+pub use workers::{Monitor, Workers};
+
+/// Parts of a frame, in the order in which they run.
+#[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stage {
+    /// World to tables.
+    Extract,
+    /// Tables to film.
+    Trace,
+}
+
+/// Gives a World what the schedules need besides entities: empty tables, a frame, settings where it has none.
+pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
+    world.init_resource::<crate::components::Snapshot>();
+    world.init_resource::<Monitor>();
+    world.init_resource::<Frame>();
+    world.init_resource::<Tables<T>>();
+    world.insert_resource(workers);
+}
+
+/// The whole frame: every stage in its order. The World must be [`prepare`]d for the same precision.
+pub fn frame_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    schedule.configure_sets((Stage::Extract, Stage::Trace).chain());
+    add_extract::<T>(&mut schedule);
+    add_trace::<T>(&mut schedule);
+    schedule.add_systems(end_frame.after(Stage::Trace));
+    schedule
+}
+
+/// [`Stage::Extract`] alone.
+pub fn extract_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    add_extract::<T>(&mut schedule);
+    schedule.add_systems(end_frame.after(Stage::Extract));
+    schedule
+}
+
+/// [`Stage::Trace`] alone.
+pub fn trace_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    add_trace::<T>(&mut schedule);
+    schedule
+}
+
+fn add_extract<T: Real>(schedule: &mut Schedule) {
+    schedule.add_systems(
+        (
+            extract_objects::<T, Sphere>.run_if(objects_changed::<Sphere>),
+            extract_objects::<T, Cube>.run_if(objects_changed::<Cube>),
+            extract_objects::<T, Pyramid>.run_if(objects_changed::<Pyramid>),
+            extract_objects::<T, Checkerboard>.run_if(objects_changed::<Checkerboard>),
+            extract_lights::<T>.run_if(lights_changed),
+            extract_camera::<T>,
+        )
+            .in_set(Stage::Extract),
+    );
+}
+
+fn add_trace<T: Real>(schedule: &mut Schedule) {
+    schedule.add_systems(trace::<T>.in_set(Stage::Trace));
+}
+
+/// Lets the World forget removals that two frames have seen; without it they would pile up.
+fn end_frame(world: &mut World) {
+    world.clear_trackers();
+}

@@ -1,0 +1,134 @@
+//! What can be wrong with a World.
+
+use bevy_ecs::prelude::*;
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::components::range::{COORDINATE, LENGTH, Range};
+use crate::geometry::Real;
+
+/// Something in the World that cannot be traced. Nothing is traced while there is one.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum WorldProblem {
+    /// A value outside what its component allows.
+    #[error("entity {entity}: {value} is {found}, but must be {allowed}")]
+    Value {
+        /// The entity.
+        entity: Entity,
+        /// Component and field.
+        value: &'static str,
+        /// The value.
+        found: f64,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
+    /// A value that only `f64` can trace.
+    #[error(
+        "entity {entity}: {value} is {found}, beyond what {precision} can trace ({limit:e}, and 1/{limit:e} for lengths)"
+    )]
+    Precision {
+        /// The entity.
+        entity: Entity,
+        /// Component and field.
+        value: &'static str,
+        /// The value.
+        found: f64,
+        /// The precision asked for.
+        precision: &'static str,
+        /// Its largest length.
+        limit: f64,
+    },
+    /// An object that had a component taken away that it cannot be traced without.
+    #[error(
+        "entity {entity}: a {shape} needs Position, Color, Ambient and Diffuse, and one of them was removed"
+    )]
+    Incomplete {
+        /// The entity.
+        entity: Entity,
+        /// Its shape.
+        shape: &'static str,
+    },
+    /// A spotlight that points nowhere.
+    #[error("entity {entity}: SpotCone.target is the light's own position, so the cone has no direction")]
+    NoDirection {
+        /// The entity.
+        entity: Entity,
+    },
+    /// A camera that is no basis.
+    #[error("entity {entity}: CameraPose l, r and u must be unit vectors")]
+    NoBasis {
+        /// The entity.
+        entity: Entity,
+    },
+    /// No camera, or more than one.
+    #[error("the World must have one camera (an entity with CameraPose and Lens), but has {found}")]
+    Cameras {
+        /// How many there are.
+        found: usize,
+    },
+    /// A picture of an impossible size or depth.
+    #[error("Snapshot.{value} is {found}, but must be from {low} to {high}")]
+    Snapshot {
+        /// The field.
+        value: &'static str,
+        /// The value.
+        found: u32,
+        /// Least allowed.
+        low: u32,
+        /// Most allowed.
+        high: u32,
+    },
+}
+
+/// Checks values of one entity after the other and keeps what is wrong.
+#[derive(Default)]
+pub(super) struct Checks {
+    pub(super) problems: Vec<WorldProblem>,
+}
+
+impl Checks {
+    /// A number in its range.
+    pub(super) fn value(&mut self, entity: Entity, value: &'static str, found: f64, range: &Range) {
+        if !range.contains(found) {
+            self.problems.push(WorldProblem::Value {
+                entity,
+                value,
+                found,
+                allowed: range.words,
+            });
+        }
+    }
+
+    /// A length in its range, and in that of the precision.
+    pub(super) fn length<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
+        self.value(entity, value, found, &LENGTH);
+        self.precision::<T>(
+            entity,
+            value,
+            found,
+            found > T::LENGTH_LIMIT || found < T::LENGTH_LIMIT.recip(),
+        );
+    }
+
+    /// Coordinates in their range, and in that of the precision.
+    pub(super) fn point<T: Real>(&mut self, entity: Entity, value: &'static str, point: DVec3) {
+        for found in point.to_array() {
+            self.value(entity, value, found, &COORDINATE);
+            self.precision::<T>(entity, value, found, found.abs() > T::LENGTH_LIMIT);
+        }
+    }
+
+    fn precision<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64, beyond: bool) {
+        // What no precision allows has been reported as such.
+        if beyond && T::LENGTH_LIMIT < f64::LENGTH_LIMIT {
+            let (precision, limit) = (T::NAME, T::LENGTH_LIMIT);
+            self.problems.push(WorldProblem::Precision {
+                entity,
+                value,
+                found,
+                precision,
+                limit,
+            });
+        }
+    }
+}

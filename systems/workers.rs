@@ -1,0 +1,70 @@
+//! The threads that trace, and what they report while they do.
+
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use bevy_ecs::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+
+/// The threads of the heavy systems. No picture depends on their number or on the tile size.
+#[derive(Resource)]
+pub struct Workers {
+    pub(super) pool: ThreadPool,
+    pub(super) tile_size: u32,
+}
+
+impl Workers {
+    /// This many threads, or one per processor.
+    pub fn new(threads: Option<NonZeroUsize>) -> Result<Self, ThreadPoolBuildError> {
+        let pool = ThreadPoolBuilder::new()
+            .num_threads(threads.map_or(0, NonZeroUsize::get))
+            .build()?;
+        // 32 x 32 pixels: enough tiles to keep all threads busy to the end, few enough not to matter themselves.
+        Ok(Self { pool, tile_size: 32 })
+    }
+
+    /// The same threads with tiles of another size, in pixels along each side.
+    #[must_use]
+    pub fn with_tile_size(self, tile_size: u32) -> Self {
+        Self { tile_size, ..self }
+    }
+
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+}
+
+/// Watches a frame from outside: told of each finished tile, asked whether to go on.
+#[derive(Resource, Clone)]
+pub struct Monitor {
+    on_tile: Arc<dyn Fn(u64) + Send + Sync>,
+    cancel: Arc<AtomicBool>,
+}
+
+impl Monitor {
+    /// Calls `on_tile` with the number of pixels of each finished tile, from any thread; no further tile is
+    /// started once `cancel` is set.
+    pub fn new(on_tile: impl Fn(u64) + Send + Sync + 'static, cancel: Arc<AtomicBool>) -> Self {
+        Self {
+            on_tile: Arc::new(on_tile),
+            cancel,
+        }
+    }
+
+    pub(super) fn tile_done(&self, pixels: u64) {
+        (self.on_tile)(pixels);
+    }
+
+    pub(super) fn is_cancelled(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
+}
+
+impl Default for Monitor {
+    /// Nobody watches.
+    fn default() -> Self {
+        Self::new(|_| (), Arc::default())
+    }
+}
