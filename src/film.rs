@@ -29,11 +29,7 @@ impl Film {
 
     /// The picture in 8 bits a channel, red, green, blue, top row first: each channel times 255, truncated.
     pub fn to_rgb8(&self) -> Vec<u8> {
-        self.pixels
-            .iter()
-            .flatten()
-            .map(|&channel| quantize(channel))
-            .collect()
+        self.pixels.iter().flatten().map(|&channel| quantize(channel)).collect()
     }
 
     /// The film cut into tiles of at most `size` by `size` pixels (at least 1), which can be filled in any order.
@@ -41,10 +37,8 @@ impl Film {
         let size = size.clamp(1, self.side.max(1));
         let width = self.side as usize;
         let mut tiles = Vec::new();
-        for (band, top) in self
-            .pixels
-            .chunks_mut((width * size as usize).max(1))
-            .zip((0..self.side).step_by(size as usize))
+        for (band, top) in
+            self.pixels.chunks_mut((width * size as usize).max(1)).zip((0..self.side).step_by(size as usize))
         {
             let first = tiles.len();
             tiles.extend((0..self.side).step_by(size as usize).map(|left| FilmTile {

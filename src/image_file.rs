@@ -87,9 +87,5 @@ fn decode<R: std::io::BufRead + std::io::Seek>(mut reader: ImageReader<R>) -> im
 }
 
 fn texture(image: &RgbImage) -> Option<Texture> {
-    Texture::new(
-        image.width(),
-        image.height(),
-        image.pixels().map(|texel| texel.0).collect(),
-    )
+    Texture::new(image.width(), image.height(), image.pixels().map(|texel| texel.0).collect())
 }

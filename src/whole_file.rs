@@ -18,9 +18,7 @@ pub struct WriteError {
 /// Whether a file could be written here: its folder exists and takes files, and the file, if there is one, is
 /// neither a folder nor protected. Asked before work whose result would be lost.
 pub fn check_writable(path: &Path) -> Result<(), WriteError> {
-    refuse_target(path)
-        .and_then(|()| temporary(path).map(drop))
-        .map_err(|reason| wrap(path, reason))
+    refuse_target(path).and_then(|()| temporary(path).map(drop)).map_err(|reason| wrap(path, reason))
 }
 
 /// Writes a file in one step: the bytes go to a temporary file beside it, which takes its name once complete. A
@@ -38,17 +36,12 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 }
 
 fn temporary(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = Builder::new();
     builder.prefix(".archetrace-");
     // The umask applies: the file gets the mode that any new file would.
     #[cfg(unix)]
-    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(
-        0o666,
-    ));
+    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
     builder.tempfile_in(folder).map_err(plain)
 }
 
@@ -62,14 +55,9 @@ fn refuse_target(path: &Path) -> io::Result<()> {
 
 /// The operating system's own reason, without the name of a temporary file that nobody asked for.
 fn plain(error: io::Error) -> io::Error {
-    error
-        .raw_os_error()
-        .map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error)
+    error.raw_os_error().map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error)
 }
 
 fn wrap(path: &Path, reason: io::Error) -> WriteError {
-    WriteError {
-        path: path.to_owned(),
-        reason,
-    }
+    WriteError { path: path.to_owned(), reason }
 }

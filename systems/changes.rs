@@ -20,13 +20,8 @@ type ObjectChange<S> = Or<(
     Changed<Order>,
 )>;
 
-type LightChange = Or<(
-    Changed<Light>,
-    Changed<Position>,
-    Changed<Falloff>,
-    Changed<SpotCone>,
-    Changed<Order>,
-)>;
+type LightChange =
+    Or<(Changed<Light>, Changed<Position>, Changed<Falloff>, Changed<SpotCone>, Changed<Order>)>;
 
 #[derive(SystemParam)]
 pub(super) struct ObjectChanges<'w, 's, S: Component> {
@@ -42,24 +37,15 @@ pub(super) struct ObjectChanges<'w, 's, S: Component> {
         RemovedComponents<'w, 's, Mirror>,
         RemovedComponents<'w, 's, Textured>,
     ),
-    place: (
-        RemovedComponents<'w, 's, Position>,
-        RemovedComponents<'w, 's, Order>,
-    ),
+    place: (RemovedComponents<'w, 's, Position>, RemovedComponents<'w, 's, Order>),
 }
 
 #[derive(SystemParam)]
 pub(super) struct LightChanges<'w, 's> {
     changed: Query<'w, 's, (), (With<Light>, LightChange)>,
     living: Living<'w, 's, Light>,
-    effects: (
-        RemovedComponents<'w, 's, Falloff>,
-        RemovedComponents<'w, 's, SpotCone>,
-    ),
-    place: (
-        RemovedComponents<'w, 's, Position>,
-        RemovedComponents<'w, 's, Order>,
-    ),
+    effects: (RemovedComponents<'w, 's, Falloff>, RemovedComponents<'w, 's, SpotCone>),
+    place: (RemovedComponents<'w, 's, Position>, RemovedComponents<'w, 's, Order>),
 }
 
 /// How many entities have a component. Together with additions, which are changes, this notices every despawn,

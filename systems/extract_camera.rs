@@ -21,15 +21,10 @@ pub(super) fn extract_camera<T: Real>(
     tables.camera = match cameras.single() {
         Ok((entity, pose, lens)) => {
             check_camera::<T>(entity, pose, lens, &mut checks);
-            checks
-                .problems
-                .is_empty()
-                .then(|| CameraRays::new(pose, lens, snapshot.pixels))
+            checks.problems.is_empty().then(|| CameraRays::new(pose, lens, snapshot.pixels))
         }
         Err(_) => {
-            checks.problems.push(WorldProblem::Cameras {
-                found: cameras.iter().len(),
-            });
+            checks.problems.push(WorldProblem::Cameras { found: cameras.iter().len() });
             None
         }
     };
@@ -37,18 +32,10 @@ pub(super) fn extract_camera<T: Real>(
 }
 
 fn check_snapshot(snapshot: &Snapshot, checks: &mut Checks) {
-    let values = [
-        ("pixels", snapshot.pixels, 1, MAX_PIXELS),
-        ("level", snapshot.level, 0, MAX_LEVEL),
-    ];
+    let values = [("pixels", snapshot.pixels, 1, MAX_PIXELS), ("level", snapshot.level, 0, MAX_LEVEL)];
     for (value, found, low, high) in values {
         if !(low..=high).contains(&found) {
-            checks.problems.push(WorldProblem::Snapshot {
-                value,
-                found,
-                low,
-                high,
-            });
+            checks.problems.push(WorldProblem::Snapshot { value, found, low, high });
         }
     }
 }

@@ -17,13 +17,7 @@ use super::problem::{Checks, WorldProblem};
 type Lights<'w, 's> = Query<
     'w,
     's,
-    (
-        Entity,
-        &'static Position,
-        Option<&'static Order>,
-        Option<&'static Falloff>,
-        Option<&'static SpotCone>,
-    ),
+    (Entity, &'static Position, Option<&'static Order>, Option<&'static Falloff>, Option<&'static SpotCone>),
     With<Light>,
 >;
 
@@ -52,15 +46,13 @@ struct Source {
 }
 
 fn gather(lights: &Lights) -> Vec<Source> {
-    let all = lights
-        .iter()
-        .map(|(entity, position, order, falloff, cone)| Source {
-            entity,
-            position: position.0,
-            order: order.map_or(u32::MAX, |order| order.0),
-            falloff: falloff.copied(),
-            cone: cone.copied(),
-        });
+    let all = lights.iter().map(|(entity, position, order, falloff, cone)| Source {
+        entity,
+        position: position.0,
+        order: order.map_or(u32::MAX, |order| order.0),
+        falloff: falloff.copied(),
+        cone: cone.copied(),
+    });
     all.collect()
 }
 
@@ -68,19 +60,14 @@ impl Source {
     fn compare(&self, other: &Self) -> Ordering {
         let by_value = || {
             let pairs = self.values().into_iter().zip(other.values());
-            pairs
-                .map(|(a, b)| a.total_cmp(&b))
-                .find(|order| order.is_ne())
-                .unwrap_or(Ordering::Equal)
+            pairs.map(|(a, b)| a.total_cmp(&b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
         };
         self.order.cmp(&other.order).then_with(by_value)
     }
 
     fn values(&self) -> [f64; 8] {
         let falloff = self.falloff.map_or(0.0, |falloff| falloff.0);
-        let (target, cutoff) = self
-            .cone
-            .map_or((DVec3::ZERO, 180.0), |cone| (cone.target, cone.cutoff));
+        let (target, cutoff) = self.cone.map_or((DVec3::ZERO, 180.0), |cone| (cone.target, cone.cutoff));
         let p = self.position;
         [p.x, p.y, p.z, falloff, target.x, target.y, target.z, cutoff]
     }
@@ -106,10 +93,7 @@ impl Source {
         let narrowing = self.cone.filter(|cone| cone.cutoff < 180.0);
         LightRow {
             position,
-            falloff: self
-                .falloff
-                .filter(|falloff| falloff.0 != 0.0)
-                .map(|falloff| T::from_f64(falloff.0)),
+            falloff: self.falloff.filter(|falloff| falloff.0 != 0.0).map(|falloff| T::from_f64(falloff.0)),
             cone: narrowing.map(|cone| Cone::new(Vector::from_dvec3(cone.target) - position, cone.cutoff)),
         }
     }

@@ -43,20 +43,11 @@ type Objects<'w, 's, S> = Query<
         &'static Position,
         (&'static Color, &'static Ambient, &'static Diffuse),
         Option<&'static Order>,
-        (
-            Option<&'static Gloss>,
-            Option<&'static Mirror>,
-            Option<&'static Textured>,
-        ),
+        (Option<&'static Gloss>, Option<&'static Mirror>, Option<&'static Textured>),
     ),
 >;
 
-type Lacking = Or<(
-    Without<Position>,
-    Without<Color>,
-    Without<Ambient>,
-    Without<Diffuse>,
-)>;
+type Lacking = Or<(Without<Position>, Without<Color>, Without<Ambient>, Without<Diffuse>)>;
 
 /// Rebuilds the table of objects with shape `S`, rows sorted by scene order and then by value.
 pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
@@ -68,17 +59,13 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     rows.sort_by(ObjectRow::compare::<T>);
 
     let mut checks = Checks::default();
-    let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete {
-        entity,
-        shape: S::NAME,
-    });
+    let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, shape: S::NAME });
     checks.problems.extend(missing);
     let table = S::table(&mut tables.scene);
     *table = ShapeTable::default();
     for row in &rows {
         row.check::<T>(&mut checks);
-        row.shape
-            .push(&mut table.shapes, row.position, row.textured.as_ref());
+        row.shape.push(&mut table.shapes, row.position, row.textured.as_ref());
         table.order.push(row.order);
         table.surfaces.push(row.surface());
     }
@@ -131,10 +118,7 @@ impl<S> ObjectRow<S> {
     {
         let by_value = || {
             let pairs = self.values::<T>().into_iter().zip(other.values::<T>());
-            pairs
-                .map(|(a, b)| a.total_cmp(&b))
-                .find(|order| order.is_ne())
-                .unwrap_or(Ordering::Equal)
+            pairs.map(|(a, b)| a.total_cmp(&b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
         };
         self.order.cmp(&other.order).then_with(by_value)
     }
@@ -145,35 +129,12 @@ impl<S> ObjectRow<S> {
         S: ExtractShape<T>,
     {
         let [(_, size), (_, second_size)] = self.shape.lengths();
-        let gloss = self.gloss.unwrap_or(Gloss {
-            specular: 0.0,
-            shininess: 0.0,
-        });
+        let gloss = self.gloss.unwrap_or(Gloss { specular: 0.0, shininess: 0.0 });
         let mirror = self.mirror.map_or(0.0, |mirror| mirror.0);
         let (p, c) = (self.position, self.color);
-        let surface = [
-            self.ambient,
-            self.diffuse,
-            gloss.specular,
-            gloss.shininess,
-            mirror,
-        ];
+        let surface = [self.ambient, self.diffuse, gloss.specular, gloss.shininess, mirror];
         let [ambient, diffuse, specular, shininess, mirror] = surface;
-        [
-            p.x,
-            p.y,
-            p.z,
-            size,
-            second_size,
-            c.x,
-            c.y,
-            c.z,
-            ambient,
-            diffuse,
-            specular,
-            shininess,
-            mirror,
-        ]
+        [p.x, p.y, p.z, size, second_size, c.x, c.y, c.z, ambient, diffuse, specular, shininess, mirror]
     }
 
     fn check<T: Real>(&self, checks: &mut Checks)
@@ -230,10 +191,7 @@ impl<T: Real> ExtractShape<T> for Sphere {
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
         let center = Vector::from_dvec3(position);
-        columns.push(SphereShape {
-            center,
-            radius: T::from_f64(self.radius),
-        });
+        columns.push(SphereShape { center, radius: T::from_f64(self.radius) });
     }
 }
 
@@ -284,10 +242,8 @@ impl<T: Real> ExtractShape<T> for Checkerboard {
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {
-        let texture = textured.map(|textured| BoardTexture {
-            white: textured.white.clone(),
-            black: textured.black.clone(),
-        });
+        let texture = textured
+            .map(|textured| BoardTexture { white: textured.white.clone(), black: textured.black.clone() });
         columns.push(Vector::from_dvec3(position), T::from_f64(self.cell), texture);
     }
 }

@@ -34,7 +34,7 @@ use trace::trace;
 
 pub use frame::{Frame, FrameError, Tables};
 pub use problem::WorldProblem;
-pub use workers::{Monitor, Workers};
+pub use workers::{Monitor, Workers, WorkersError};
 
 /// Parts of a frame, in the order in which they run.
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -90,24 +90,14 @@ impl Checks {
     /// A number in its range.
     pub(super) fn value(&mut self, entity: Entity, value: &'static str, found: f64, range: &Range) {
         if !range.contains(found) {
-            self.problems.push(WorldProblem::Value {
-                entity,
-                value,
-                found,
-                allowed: range.words,
-            });
+            self.problems.push(WorldProblem::Value { entity, value, found, allowed: range.words });
         }
     }
 
     /// A length in its range, and in that of the precision.
     pub(super) fn length<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
         self.value(entity, value, found, &LENGTH);
-        self.precision::<T>(
-            entity,
-            value,
-            found,
-            found > T::LENGTH_LIMIT || found < T::LENGTH_LIMIT.recip(),
-        );
+        self.precision::<T>(entity, value, found, found > T::LENGTH_LIMIT || found < T::LENGTH_LIMIT.recip());
     }
 
     /// Coordinates in their range, and in that of the precision.
@@ -122,13 +112,7 @@ impl Checks {
         // What no precision allows has been reported as such.
         if beyond && T::LENGTH_LIMIT < f64::LENGTH_LIMIT {
             let (precision, limit) = (T::NAME, T::LENGTH_LIMIT);
-            self.problems.push(WorldProblem::Precision {
-                entity,
-                value,
-                found,
-                precision,
-                limit,
-            });
+            self.problems.push(WorldProblem::Precision { entity, value, found, precision, limit });
         }
     }
 }

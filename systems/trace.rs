@@ -34,14 +34,7 @@ pub(super) fn trace<T: Real>(
         };
         frame.film = film;
     }
-    frame.counts = trace_film(
-        &tables.scene,
-        camera,
-        snapshot.level,
-        &mut frame.film,
-        &workers,
-        &monitor,
-    );
+    frame.counts = trace_film(&tables.scene, camera, snapshot.level, &mut frame.film, &workers, &monitor);
     if monitor.is_cancelled() {
         frame.error = Some(FrameError::Cancelled);
     }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use bevy_ecs::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use thiserror::Error;
 
 /// The threads of the heavy systems. No picture depends on their number or on the tile size.
 #[derive(Resource)]
@@ -16,10 +17,10 @@ pub struct Workers {
 
 impl Workers {
     /// This many threads, or one per processor.
-    pub fn new(threads: Option<NonZeroUsize>) -> Result<Self, ThreadPoolBuildError> {
-        let pool = ThreadPoolBuilder::new()
-            .num_threads(threads.map_or(0, NonZeroUsize::get))
-            .build()?;
+    pub fn new(threads: Option<NonZeroUsize>) -> Result<Self, WorkersError> {
+        // For rayon, 0 stands for one per processor.
+        let builder = ThreadPoolBuilder::new().num_threads(threads.map_or(0, NonZeroUsize::get));
+        let pool = builder.build().map_err(|error| WorkersError(error.to_string()))?;
         // 32 x 32 pixels: enough tiles to keep all threads busy to the end, few enough not to matter themselves.
         Ok(Self { pool, tile_size: 32 })
     }
@@ -36,6 +37,11 @@ impl Workers {
     }
 }
 
+/// The operating system has no more threads to give.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("cannot start the threads that trace: {0}")]
+pub struct WorkersError(String);
+
 /// Watches a frame from outside: told of each finished tile, asked whether to go on.
 #[derive(Resource, Clone)]
 pub struct Monitor {
@@ -47,10 +53,7 @@ impl Monitor {
     /// Calls `on_tile` with the number of pixels of each finished tile, from any thread; no further tile is
     /// started once `cancel` is set.
     pub fn new(on_tile: impl Fn(u64) + Send + Sync + 'static, cancel: Arc<AtomicBool>) -> Self {
-        Self {
-            on_tile: Arc::new(on_tile),
-            cancel,
-        }
+        Self { on_tile: Arc::new(on_tile), cancel }
     }
 
     pub(super) fn tile_done(&self, pixels: u64) {

@@ -118,25 +118,15 @@ fn picture_path() -> impl TypedValueParser<Value = PathBuf> {
 fn thread_count() -> impl TypedValueParser<Value = NonZeroUsize> {
     /// More would be a slip of the finger, and each costs memory.
     const MAX_THREADS: i64 = 1024;
-    clap::value_parser!(u32)
-        .range(1..=MAX_THREADS)
-        .try_map(|count| NonZeroUsize::try_from(count as usize))
+    clap::value_parser!(u32).range(1..=MAX_THREADS).try_map(|count| NonZeroUsize::try_from(count as usize))
 }
 
 fn point(text: &str) -> Result<DVec3, String> {
     let mut numbers = text.split(',').map(|part| part.trim().parse::<f64>().ok());
-    let mut next = || {
-        numbers
-            .next()
-            .flatten()
-            .filter(|number| COORDINATE.contains(*number))
-    };
+    let mut next = || numbers.next().flatten().filter(|number| COORDINATE.contains(*number));
     match (next(), next(), next(), numbers.next()) {
         (Some(x), Some(y), Some(z), None) => Ok(DVec3::new(x, y, z)),
-        _ => Err(format!(
-            "must be three numbers with commas between, each {}",
-            COORDINATE.words
-        )),
+        _ => Err(format!("must be three numbers with commas between, each {}", COORDINATE.words)),
     }
 }
 

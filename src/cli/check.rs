@@ -1,6 +1,7 @@
 //! `archetrace check`
 
 use core::fmt::Write as _;
+use core::num::NonZeroUsize;
 
 use bevy_ecs::prelude::*;
 
@@ -16,10 +17,7 @@ use super::load::load_world;
 pub(super) fn check(args: &CheckArgs) -> Result<(), CliError> {
     let mut world = World::new();
     let warnings = load_world(&args.scene, &mut world)?;
-    prepare::<f64>(
-        &mut world,
-        Workers::new(core::num::NonZeroUsize::new(1)).map_err(|e| CliError::Threads(1, e))?,
-    );
+    prepare::<f64>(&mut world, Workers::new(Some(NonZeroUsize::MIN))?);
     extract_schedule::<f64>().run(&mut world);
     let problems = world.resource::<Tables<f64>>().problems();
     if !problems.is_empty() {
@@ -30,11 +28,7 @@ pub(super) fn check(args: &CheckArgs) -> Result<(), CliError> {
         1 => "ok, 1 warning".to_owned(),
         more => format!("ok, {more} warnings"),
     };
-    super::print(&format!(
-        "{}: {verdict}\n{}",
-        args.scene.display(),
-        summary(&mut world)
-    ))
+    super::print(&format!("{}: {verdict}\n{}", args.scene.display(), summary(&mut world)))
 }
 
 fn summary(world: &mut World) -> String {
@@ -48,28 +42,13 @@ fn write_summary(text: &mut String, world: &mut World) -> core::fmt::Result {
     let Snapshot { pixels, level } = *world.resource::<Snapshot>();
     writeln!(text, "image    {pixels} x {pixels} pixels, level {level}")?;
     for lens in world.query::<&Lens>().iter(world) {
-        let Lens {
-            near,
-            far,
-            fovy,
-            aspect,
-        } = lens;
-        writeln!(
-            text,
-            "camera   near {near}, far {far}, fovy {fovy}, aspect {aspect}"
-        )?;
+        let Lens { near, far, fovy, aspect } = lens;
+        writeln!(text, "camera   near {near}, far {far}, fovy {fovy}, aspect {aspect}")?;
     }
-    let spots = world
-        .query_filtered::<(), (With<Light>, With<SpotCone>)>()
-        .iter(world)
-        .count();
+    let spots = world.query_filtered::<(), (With<Light>, With<SpotCone>)>().iter(world).count();
     let scene = &world.resource::<Tables<f64>>().scene;
     writeln!(text, "objects  {}", objects(scene))?;
-    writeln!(
-        text,
-        "lights   {} normal, {spots} spot",
-        scene.lights.len() - spots
-    )?;
+    writeln!(text, "lights   {} normal, {spots} spot", scene.lights.len() - spots)?;
     writeln!(text, "effects  {}", effects(scene))
 }
 
@@ -77,11 +56,7 @@ fn objects(scene: &SceneTables<f64>) -> String {
     let tables = scene.table_counts();
     let objects = tables.iter().filter(|count| count.table != "lights");
     let named = objects.map(|count| {
-        let name = if count.rows == 1 {
-            count.table.trim_end_matches('s')
-        } else {
-            count.table
-        };
+        let name = if count.rows == 1 { count.table.trim_end_matches('s') } else { count.table };
         format!("{} {name}", count.rows)
     });
     named.collect::<Vec<_>>().join(", ")
@@ -90,12 +65,6 @@ fn objects(scene: &SceneTables<f64>) -> String {
 fn effects(scene: &SceneTables<f64>) -> String {
     let counts = scene.effect_counts();
     let used = counts.iter().filter(|count| count.rows > 0);
-    let named: Vec<String> = used
-        .map(|count| format!("{} ({})", count.effect, count.rows))
-        .collect();
-    if named.is_empty() {
-        "none".to_owned()
-    } else {
-        named.join(", ")
-    }
+    let named: Vec<String> = used.map(|count| format!("{} ({})", count.effect, count.rows)).collect();
+    if named.is_empty() { "none".to_owned() } else { named.join(", ") }
 }

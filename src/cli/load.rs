@@ -32,10 +32,7 @@ pub(super) fn lay_texture(
         white: Arc::new(find_texture(scene, white, "texture_w.bmp", BUILT_IN_WHITE)?),
         black: Arc::new(find_texture(scene, black, "texture_b.bmp", BUILT_IN_BLACK)?),
     };
-    let boards: Vec<Entity> = world
-        .query_filtered::<Entity, With<Checkerboard>>()
-        .iter(world)
-        .collect();
+    let boards: Vec<Entity> = world.query_filtered::<Entity, With<Checkerboard>>().iter(world).collect();
     for board in boards {
         world.entity_mut(board).insert(textured.clone());
     }

@@ -18,7 +18,7 @@ use thiserror::Error;
 
 use crate::image_file::ImageFileError;
 use crate::scene::{DescribeError, SceneError};
-use crate::systems::{FrameError, WorldProblem};
+use crate::systems::{FrameError, WorkersError};
 use crate::whole_file::WriteError;
 
 use args::{Args, Command};
@@ -53,12 +53,12 @@ enum CliError {
     Write(#[from] WriteError),
     #[error(transparent)]
     Frame(#[from] FrameError),
-    #[error("{0}")]
-    World(WorldProblem),
+    #[error("--look and --up must have a direction")]
+    NoDirection,
     #[error(transparent)]
     Describe(#[from] DescribeError),
-    #[error("cannot start {0} threads: {1}")]
-    Threads(usize, rayon::ThreadPoolBuildError),
+    #[error(transparent)]
+    Workers(#[from] WorkersError),
     #[error("cannot write to standard output: {0}")]
     Output(io::Error),
     #[error("cannot listen for Ctrl-C: {0}")]
@@ -87,8 +87,5 @@ fn say(text: &str) {
 /// Text to standard output.
 fn print(text: &str) -> Result<(), CliError> {
     let mut output = io::stdout().lock();
-    output
-        .write_all(text.as_bytes())
-        .and_then(|()| output.flush())
-        .map_err(CliError::Output)
+    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(CliError::Output)
 }

@@ -17,7 +17,7 @@ use crate::whole_file::{check_writable, write_whole};
 
 use super::args::{Precision, RenderArgs};
 use super::load::{lay_texture, load_world};
-use super::stats::{Asked, Phases, Stats, Stopwatch};
+use super::stats::{Phases, Stats, Stopwatch};
 use super::stop::stop_flag;
 use super::{CliError, say};
 
@@ -41,21 +41,16 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     let mut world = World::new();
     load_world(&args.scene, &mut world)?;
     if args.texture {
-        lay_texture(
-            &mut world,
-            &args.scene,
-            args.white.as_deref(),
-            args.black.as_deref(),
-        )?;
+        lay_texture(&mut world, &args.scene, args.white.as_deref(), args.black.as_deref())?;
     }
-    let asked = apply(args, &mut world)?;
+    let snapshot = apply(args, &mut world)?;
     phases.load = clock.lap();
 
-    prepare::<T>(&mut world, workers(args)?);
+    prepare::<T>(&mut world, Workers::new(args.threads)?);
     extract_schedule::<T>().run(&mut world);
     phases.extract = clock.lap();
 
-    let progress = progress_bar(asked.pixels);
+    let progress = progress_bar(snapshot.pixels);
     world.insert_resource(monitor(&progress, &stop));
     trace_schedule::<T>().run(&mut world);
     progress.finish_and_clear();
@@ -74,43 +69,27 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     phases.write = clock.lap();
 
     if counts.non_finite > 0 {
-        say(&format!(
-            "warning: {} pixels had no finite radiance and are black",
-            counts.non_finite
-        ));
+        say(&format!("warning: {} pixels had no finite radiance and are black", counts.non_finite));
     }
     if let Some(path) = &args.stats {
-        let asked = Asked {
-            threads: world.resource::<Workers>().threads(),
-            ..asked
-        };
-        let stats = Stats::new(asked, phases, counts, &world.resource::<Tables<T>>().scene);
+        let threads = world.resource::<Workers>().threads();
+        let stats = Stats::new(snapshot, threads, phases, counts, &world.resource::<Tables<T>>().scene);
         write_whole(path, &stats.to_json()?)?;
     }
     Ok(())
 }
 
 /// Puts what the command line says over what the scene says.
-fn apply(args: &RenderArgs, world: &mut World) -> Result<Asked, CliError> {
+fn apply(args: &RenderArgs, world: &mut World) -> Result<Snapshot, CliError> {
     let mut snapshot = world.resource_mut::<Snapshot>();
     snapshot.pixels = args.size.unwrap_or(snapshot.pixels);
     snapshot.level = args.level.unwrap_or(snapshot.level);
-    let Snapshot { pixels, level } = *snapshot;
-    let mut cameras = world.query::<(Entity, &mut CameraPose)>();
-    for (entity, mut pose) in cameras.iter_mut(world) {
-        *pose = CameraPose::looking(args.eye, args.look, args.up)
-            .ok_or(CliError::World(crate::systems::WorldProblem::NoBasis { entity }))?;
+    let snapshot = *snapshot;
+    let pose = CameraPose::looking(args.eye, args.look, args.up).ok_or(CliError::NoDirection)?;
+    for mut camera in world.query::<&mut CameraPose>().iter_mut(world) {
+        *camera = pose;
     }
-    Ok(Asked {
-        threads: 0,
-        pixels,
-        level,
-    })
-}
-
-fn workers(args: &RenderArgs) -> Result<Workers, CliError> {
-    let wanted = args.threads.map_or(0, core::num::NonZeroUsize::get);
-    Workers::new(args.threads).map_err(|error| CliError::Threads(wanted, error))
+    Ok(snapshot)
 }
 
 /// A bar on a terminal, nothing elsewhere.

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
+use crate::components::Snapshot;
 use crate::geometry::Real;
 use crate::trace::{Counts, SceneTables};
 
@@ -45,18 +46,11 @@ struct Rays {
     mirror: u64,
 }
 
-/// How a picture was asked for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Asked {
-    pub(super) threads: usize,
-    pub(super) pixels: u32,
-    pub(super) level: u32,
-}
-
 impl Stats {
     /// The statistics of one picture.
     pub(super) fn new<T: Real>(
-        asked: Asked,
+        snapshot: Snapshot,
+        threads: usize,
         phases: Phases,
         counts: &Counts,
         scene: &SceneTables<T>,
@@ -66,24 +60,17 @@ impl Stats {
         Self {
             version: env!("CARGO_PKG_VERSION"),
             precision: T::NAME,
-            threads: asked.threads,
-            pixels: u64::from(asked.pixels) * u64::from(asked.pixels),
-            level: asked.level,
+            threads,
+            pixels: u64::from(snapshot.pixels).pow(2),
+            level: snapshot.level,
             phases_ms: phases,
             rays: Rays {
                 primary: counts.rays.primary,
                 shadow: counts.rays.shadow,
                 mirror: counts.rays.mirror,
             },
-            rows: tables
-                .into_iter()
-                .chain(effects.map(|count| (count.effect, count.rows)))
-                .collect(),
-            effects: effects
-                .iter()
-                .filter(|count| count.rows > 0)
-                .map(|count| count.effect)
-                .collect(),
+            rows: tables.into_iter().chain(effects.map(|count| (count.effect, count.rows))).collect(),
+            effects: effects.iter().filter(|count| count.rows > 0).map(|count| count.effect).collect(),
             non_finite: counts.non_finite,
         }
     }

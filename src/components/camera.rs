@@ -30,12 +30,7 @@ impl CameraPose {
 impl Default for CameraPose {
     /// The start: at (0, -150, 50), looking along +y.
     fn default() -> Self {
-        Self {
-            position: DVec3::new(0.0, -150.0, 50.0),
-            l: DVec3::Y,
-            r: DVec3::X,
-            u: DVec3::Z,
-        }
+        Self { position: DVec3::new(0.0, -150.0, 50.0), l: DVec3::Y, r: DVec3::X, u: DVec3::Z }
     }
 }
 

@@ -12,12 +12,7 @@ pub struct Range {
 
 impl Range {
     const fn closed(low: f64, high: f64, words: &'static str) -> Self {
-        Self {
-            low,
-            high,
-            open: false,
-            words,
-        }
+        Self { low, high, open: false, words }
     }
 
     /// Whether a number is allowed; NaN never is.
@@ -45,12 +40,8 @@ pub const FALLOFF: Range = Range::closed(0.0, 1e150, "a number from 0 to 1e150")
 /// The angle between axis and side of a spot cone, in degrees.
 pub const CUTOFF: Range = Range::closed(0.0, 180.0, "an angle from 0 to 180 degrees");
 /// A field of view in degrees.
-pub const FIELD_OF_VIEW: Range = Range {
-    low: 0.0,
-    high: 180.0,
-    open: true,
-    words: "an angle above 0 and below 180 degrees",
-};
+pub const FIELD_OF_VIEW: Range =
+    Range { low: 0.0, high: 180.0, open: true, words: "an angle above 0 and below 180 degrees" };
 /// A ratio of two lengths.
 pub const RATIO: Range = Range::closed(1e-6, 1e6, "a ratio from 1e-6 to 1e6");
 

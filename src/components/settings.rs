@@ -14,9 +14,6 @@ pub struct Snapshot {
 
 impl Default for Snapshot {
     fn default() -> Self {
-        Self {
-            pixels: 768,
-            level: 3,
-        }
+        Self { pixels: 768, level: 3 }
     }
 }

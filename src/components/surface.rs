@@ -65,11 +65,7 @@ impl Texture {
     /// texels and at least one.
     pub fn new(width: u32, height: u32, texels: Vec<[u8; 3]>) -> Option<Self> {
         let count = usize::try_from(u64::from(width) * u64::from(height)).ok()?;
-        (count > 0 && texels.len() == count).then_some(Self {
-            width,
-            height,
-            texels,
-        })
+        (count > 0 && texels.len() == count).then_some(Self { width, height, texels })
     }
 
     /// Texels along x.

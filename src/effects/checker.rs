@@ -18,11 +18,7 @@ pub struct CellPoint<T> {
 pub fn cell_point<T: Real>(x: T, y: T, cell: T) -> CellPoint<T> {
     let (column, along_x) = divide_floor(x, cell);
     let (row, along_y) = divide_floor(y, cell);
-    CellPoint {
-        white: is_odd(column) == is_odd(row),
-        along_x,
-        along_y,
-    }
+    CellPoint { white: is_odd(column) == is_odd(row), along_x, along_y }
 }
 
 /// `floor(x / cell)`, exactly, and the rest as a share of the cell.
@@ -32,11 +28,7 @@ fn divide_floor<T: Real>(x: T, cell: T) -> (T, T) {
     let (product, error) = two_prod(quotient, cell);
     let rest = (x - product) - error;
     // The division may round up to a whole number that x does not reach; the exact rest tells.
-    if rest < T::ZERO {
-        (quotient - T::ONE, (rest + cell) / cell)
-    } else {
-        (quotient, rest / cell)
-    }
+    if rest < T::ZERO { (quotient - T::ONE, (rest + cell) / cell) } else { (quotient, rest / cell) }
 }
 
 /// Parity of a whole number of any size; an integer type would saturate beyond its range.

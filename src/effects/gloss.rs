@@ -10,9 +10,5 @@ use crate::geometry::{Real, Vector};
 #[inline(always)]
 pub fn phong<T: Real>(mirrored: Vector<T>, to_light: Vector<T>, shininess: T) -> T {
     let cosine = mirrored.dot(to_light);
-    if cosine > T::ZERO {
-        cosine.pow(shininess)
-    } else {
-        T::ZERO
-    }
+    if cosine > T::ZERO { cosine.pow(shininess) } else { T::ZERO }
 }

@@ -19,36 +19,20 @@ pub struct Rgb<T> {
 
 impl<T: Real> Rgb<T> {
     /// No light.
-    pub const BLACK: Self = Self {
-        r: T::ZERO,
-        g: T::ZERO,
-        b: T::ZERO,
-    };
+    pub const BLACK: Self = Self { r: T::ZERO, g: T::ZERO, b: T::ZERO };
     /// Full output in all three.
-    pub const WHITE: Self = Self {
-        r: T::ONE,
-        g: T::ONE,
-        b: T::ONE,
-    };
+    pub const WHITE: Self = Self { r: T::ONE, g: T::ONE, b: T::ONE };
 
     /// The nearest colour of this precision; x, y, z are red, green, blue.
     pub fn from_dvec3(v: DVec3) -> Self {
-        Self {
-            r: T::from_f64(v.x),
-            g: T::from_f64(v.y),
-            b: T::from_f64(v.z),
-        }
+        Self { r: T::from_f64(v.x), g: T::from_f64(v.y), b: T::from_f64(v.z) }
     }
 
     /// An 8-bit colour, 0..=255 to 0..=1.
     #[inline(always)]
     pub fn from_bytes([r, g, b]: [u8; 3]) -> Self {
         let scale = |byte: u8| T::from_u32(u32::from(byte)) / T::from_u32(255);
-        Self {
-            r: scale(r),
-            g: scale(g),
-            b: scale(b),
-        }
+        Self { r: scale(r), g: scale(g), b: scale(b) }
     }
 
     /// The same colour in `f64`, exactly.
@@ -61,11 +45,7 @@ impl<T: Real> Add for Rgb<T> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self {
-            r: self.r + other.r,
-            g: self.g + other.g,
-            b: self.b + other.b,
-        }
+        Self { r: self.r + other.r, g: self.g + other.g, b: self.b + other.b }
     }
 }
 
@@ -80,10 +60,6 @@ impl<T: Real> Mul<T> for Rgb<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: T) -> Self {
-        Self {
-            r: self.r * factor,
-            g: self.g * factor,
-            b: self.b * factor,
-        }
+        Self { r: self.r * factor, g: self.g * factor, b: self.b * factor }
     }
 }

@@ -15,11 +15,7 @@ impl<T: Real> Cone<T> {
     /// A cone around a vector that is not zero, with a cutoff of 0 to 180 degrees between axis and side.
     pub fn new(axis: Vector<T>, cutoff_degrees: f64) -> Self {
         let (sine, cosine) = sin_cos_degrees(cutoff_degrees);
-        Self {
-            axis: axis.unit(),
-            sine: T::from_f64(sine),
-            cosine: T::from_f64(cosine),
-        }
+        Self { axis: axis.unit(), sine: T::from_f64(sine), cosine: T::from_f64(cosine) }
     }
 
     /// Whether a point lies in the cone, given the vector (of any length) from the light to it.
@@ -42,14 +38,8 @@ fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
     if degrees <= 45.0 {
         (libm::sin(radians(degrees)), libm::cos(radians(degrees)))
     } else if degrees <= 135.0 {
-        (
-            libm::cos(radians(90.0 - degrees)),
-            libm::sin(radians(90.0 - degrees)),
-        )
+        (libm::cos(radians(90.0 - degrees)), libm::sin(radians(90.0 - degrees)))
     } else {
-        (
-            libm::sin(radians(180.0 - degrees)),
-            -libm::cos(radians(180.0 - degrees)),
-        )
+        (libm::sin(radians(180.0 - degrees)), -libm::cos(radians(180.0 - degrees)))
     }
 }

@@ -9,9 +9,7 @@ use glam::DVec3;
 pub fn basis_looking(look: DVec3, up: DVec3) -> Option<[DVec3; 3]> {
     let l = unit(look)?;
     let up = unit(up)?;
-    let r = [up, DVec3::Y, DVec3::NEG_X]
-        .into_iter()
-        .find_map(|up| across(l, up))?;
+    let r = [up, DVec3::Y, DVec3::NEG_X].into_iter().find_map(|up| across(l, up))?;
     Some([l, r, r.cross(l)])
 }
 

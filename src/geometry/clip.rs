@@ -16,12 +16,7 @@ impl<T: Real> Span<T> {
     /// The whole line.
     #[inline(always)]
     pub(super) fn whole() -> Self {
-        Self {
-            enter: -T::INFINITY,
-            enter_face: 0,
-            leave: T::INFINITY,
-            leave_face: 0,
-        }
+        Self { enter: -T::INFINITY, enter_face: 0, leave: T::INFINITY, leave_face: 0 }
     }
 
     /// Cuts away what lies before `t`, where the line enters the half-space of `face`. The first face keeps a tie.
@@ -63,11 +58,7 @@ impl<T: Real> Span<T> {
             return None;
         }
         if self.enter > T::ZERO {
-            let crossing = Crossing {
-                t: self.enter,
-                face: self.enter_face,
-                side: Side::Outside,
-            };
+            let crossing = Crossing { t: self.enter, face: self.enter_face, side: Side::Outside };
             return self.enter.is_finite().then_some(crossing);
         }
         (self.leave > T::ZERO && self.leave.is_finite()).then_some(self.leaving())
@@ -77,17 +68,10 @@ impl<T: Real> Span<T> {
     #[inline(always)]
     pub(super) fn last(&self) -> Crossing<T> {
         let leaving = self.leaving();
-        Crossing {
-            t: leaving.t.at_least(T::ZERO),
-            ..leaving
-        }
+        Crossing { t: leaving.t.at_least(T::ZERO), ..leaving }
     }
 
     fn leaving(&self) -> Crossing<T> {
-        Crossing {
-            t: self.leave,
-            face: self.leave_face,
-            side: Side::Inside,
-        }
+        Crossing { t: self.leave, face: self.leave_face, side: Side::Inside }
     }
 }

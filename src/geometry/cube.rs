@@ -17,21 +17,12 @@ pub struct CubeShape<T> {
 impl<T: Real> CubeShape<T> {
     /// The cube that extends by `side` along each axis from its least corner.
     pub fn new(min: DVec3, side: f64) -> Self {
-        Self {
-            min: Vector::from_dvec3(min),
-            max: Vector::from_dvec3(min + DVec3::splat(side)),
-        }
+        Self { min: Vector::from_dvec3(min), max: Vector::from_dvec3(min + DVec3::splat(side)) }
     }
 }
 
-const AXIS_NORMALS: [[f64; 3]; 6] = [
-    [-1.0, 0.0, 0.0],
-    [1.0, 0.0, 0.0],
-    [0.0, -1.0, 0.0],
-    [0.0, 1.0, 0.0],
-    [0.0, 0.0, -1.0],
-    [0.0, 0.0, 1.0],
-];
+const AXIS_NORMALS: [[f64; 3]; 6] =
+    [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
 const FACES: [[u8; 2]; 3] = [[0, 1], [2, 3], [4, 5]];
 
 impl<T: Real> Convex<T> for CubeShape<T> {
@@ -75,16 +66,9 @@ impl<T: Real> Convex<T> for CubeShape<T> {
     fn locate(&self, ray: &Ray<T>, crossing: &Crossing<T>) -> SurfacePoint<T> {
         let face = usize::from(crossing.face);
         let axis = face / 2;
-        let plane = if face % 2 == 0 {
-            self.min[axis]
-        } else {
-            self.max[axis]
-        };
+        let plane = if face % 2 == 0 { self.min[axis] } else { self.max[axis] };
         let point = ray.at(crossing.t).clamp(self.min, self.max).with(axis, plane);
         let [x, y, z] = AXIS_NORMALS[face];
-        SurfacePoint {
-            point,
-            normal: Vector::new(T::from_f64(x), T::from_f64(y), T::from_f64(z)),
-        }
+        SurfacePoint { point, normal: Vector::new(T::from_f64(x), T::from_f64(y), T::from_f64(z)) }
     }
 }

@@ -59,11 +59,7 @@ impl<T: Real> PyramidShape<T> {
         let Some(&(axis, positive)) = SIDES.get(usize::from(face)) else {
             return Vector::new(T::ZERO, T::ZERO, -T::ONE);
         };
-        let out = if positive {
-            self.normal_out
-        } else {
-            -self.normal_out
-        };
+        let out = if positive { self.normal_out } else { -self.normal_out };
         Vector::new(T::ZERO, T::ZERO, self.normal_up).with(axis, out)
     }
 }

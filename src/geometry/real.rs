@@ -132,39 +132,17 @@ macro_rules! real {
 }
 
 /// Rounds to nearest: the one place where precision is given up.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "rounding to f32 is what choosing f32 means"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is what choosing f32 means")]
 #[inline(always)]
 fn round_to_f32(value: f64) -> f32 {
     value as f32
 }
 
-#[expect(
-    clippy::cast_precision_loss,
-    reason = "callers pass pixel coordinates, below 2^24"
-)]
+#[expect(clippy::cast_precision_loss, reason = "callers pass pixel coordinates, below 2^24")]
 #[inline(always)]
 fn f32_from_u32(value: u32) -> f32 {
     value as f32
 }
 
-real!(
-    f64,
-    134_217_729.0,
-    1e70,
-    core::convert::identity,
-    f64::from,
-    libm::exp,
-    libm::pow
-);
-real!(
-    f32,
-    4097.0,
-    1e9,
-    round_to_f32,
-    f32_from_u32,
-    libm::expf,
-    libm::powf
-);
+real!(f64, 134_217_729.0, 1e70, core::convert::identity, f64::from, libm::exp, libm::pow);
+real!(f32, 4097.0, 1e9, round_to_f32, f32_from_u32, libm::expf, libm::powf);

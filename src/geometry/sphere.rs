@@ -42,14 +42,7 @@ impl<T: Real> SphereShape<T> {
         // Gems, chapter 7, has the perpendicular form).
         let distance = middle.length();
         let half_squared = (self.radius - distance) * (self.radius + distance);
-        Chord {
-            offset,
-            offset_error,
-            a,
-            h,
-            middle,
-            half_squared,
-        }
+        Chord { offset, offset_error, a, h, middle, half_squared }
     }
 }
 
@@ -68,17 +61,9 @@ impl<T: Real> Convex<T> for SphereShape<T> {
         let c = square_excess(chord.offset, chord.offset_error, self.radius);
         // 3. q has the larger magnitude of the two numerators, so nothing cancels in it.
         let q = chord.h + (chord.a * chord.half_squared).sqrt().copysign(chord.h);
-        let (near, far) = if chord.h > T::ZERO {
-            (c / q, q / chord.a)
-        } else {
-            (q / chord.a, c / q)
-        };
+        let (near, far) = if chord.h > T::ZERO { (c / q, q / chord.a) } else { (q / chord.a, c / q) };
         // 4. The first root ahead. A quotient 0/0 (tangent at the origin itself) compares false: no crossing.
-        let (t, side) = if near > T::ZERO {
-            (near, Side::Outside)
-        } else {
-            (far, Side::Inside)
-        };
+        let (t, side) = if near > T::ZERO { (near, Side::Outside) } else { (far, Side::Inside) };
         (t > T::ZERO && t.is_finite()).then_some(Crossing { t, face: 0, side })
     }
 
@@ -87,11 +72,7 @@ impl<T: Real> Convex<T> for SphereShape<T> {
         // The origin is a root already, so the other one is twice the way to the chord's middle.
         let chord = self.chord(ray);
         let t = (T::TWO * chord.h / chord.a).at_least(T::ZERO);
-        Crossing {
-            t,
-            face: 0,
-            side: Side::Inside,
-        }
+        Crossing { t, face: 0, side: Side::Inside }
     }
 
     #[inline(always)]
@@ -104,9 +85,6 @@ impl<T: Real> Convex<T> for SphereShape<T> {
             Side::Inside => half,
         };
         let normal = (chord.middle + ray.direction * along).unit();
-        SurfacePoint {
-            point: self.center + normal * self.radius,
-            normal,
-        }
+        SurfacePoint { point: self.center + normal * self.radius, normal }
     }
 }

@@ -28,14 +28,7 @@ pub(super) struct Lexer<'a> {
 impl<'a> Lexer<'a> {
     pub(super) fn new(text: &'a str) -> Self {
         // A byte order mark is an editor's, not the author's.
-        Self {
-            text,
-            at: if text.starts_with('\u{feff}') {
-                '\u{feff}'.len_utf8()
-            } else {
-                0
-            },
-        }
+        Self { text, at: if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 } }
     }
 
     fn rest(&self) -> &'a str {
@@ -59,13 +52,8 @@ impl<'a> Iterator for Lexer<'a> {
     fn next(&mut self) -> Option<Word<'a>> {
         self.skip_blank();
         let rest = self.rest();
-        let length = rest
-            .find(|c: char| c.is_whitespace() || c == '#')
-            .unwrap_or(rest.len());
-        let word = Word {
-            text: &rest[..length],
-            start: self.at,
-        };
+        let length = rest.find(|c: char| c.is_whitespace() || c == '#').unwrap_or(rest.len());
+        let word = Word { text: &rest[..length], start: self.at };
         self.at += length;
         (length > 0).then_some(word)
     }

@@ -78,10 +78,8 @@ impl<'a> Parser<'a> {
         let fovy = self.number("the vertical field of view", &FIELD_OF_VIEW)?;
         let aspect = self.number("the aspect ratio", &RATIO)?;
         if FIELD_OF_VIEW.contains(fovy) && RATIO.contains(aspect) && !FIELD_OF_VIEW.contains(aspect * fovy) {
-            let found = format!(
-                "the horizontal field of view, {aspect} * {fovy}, is {} degrees",
-                aspect * fovy
-            );
+            let found =
+                format!("the horizontal field of view, {aspect} * {fovy}, is {} degrees", aspect * fovy);
             self.fail(self.last.clone(), found, "must keep it below 180 degrees")?;
         }
         let level = self.whole("the level of recursion", 0, MAX_LEVEL)?;
@@ -90,18 +88,7 @@ impl<'a> Parser<'a> {
         let objects = self.objects()?;
         let lights = self.list("normal light", |parser| parser.light("light"))?;
         let spots = self.list("spotlight", Self::spot)?;
-        Ok(Description {
-            near,
-            far,
-            fovy,
-            aspect,
-            level,
-            pixels,
-            board,
-            objects,
-            lights,
-            spots,
-        })
+        Ok(Description { near, far, fovy, aspect, level, pixels, board, objects, lights, spots })
     }
 
     fn board(&mut self) -> Result<BoardDescription, Stop> {
@@ -110,17 +97,8 @@ impl<'a> Parser<'a> {
         let start = self.last.start;
         let diffuse = self.number("the checkerboard's diffuse coefficient", &COEFFICIENT)?;
         let reflection = self.number("the checkerboard's reflection coefficient", &COEFFICIENT)?;
-        self.check_sum(
-            start,
-            "ambient + diffuse + reflection",
-            (ambient + diffuse) + reflection,
-        );
-        Ok(BoardDescription {
-            cell,
-            ambient,
-            diffuse,
-            reflection,
-        })
+        self.check_sum(start, "ambient + diffuse + reflection", (ambient + diffuse) + reflection);
+        Ok(BoardDescription { cell, ambient, diffuse, reflection })
     }
 
     fn objects(&mut self) -> Result<Vec<ObjectDescription>, Stop> {
@@ -135,24 +113,14 @@ impl<'a> Parser<'a> {
                 Err(Stop::Lost) => return Err(Stop::Lost),
             }
         }
-        if let Some(word) = self
-            .words
-            .peek()
-            .filter(|word| is_object_word(word.text))
-            .copied()
-        {
+        if let Some(word) = self.words.peek().filter(|word| is_object_word(word.text)).copied() {
             self.note(
                 Problem::error(
                     word.span(),
-                    format!(
-                        "found {} where the number of normal lights should be",
-                        quoted(word.text)
-                    ),
+                    format!("found {} where the number of normal lights should be", quoted(word.text)),
                     "one object more than announced",
                 )
-                .with_note(format!(
-                    "the number of objects is given as {count} in line {line}"
-                )),
+                .with_note(format!("the number of objects is given as {count} in line {line}")),
             )?;
             return Err(Stop::Lost);
         }
@@ -164,10 +132,7 @@ impl<'a> Parser<'a> {
             return self.ended(&format!("object {index} of {count}"), "sphere, cube or pyramid");
         };
         if !is_object_word(word.text) {
-            let message = format!(
-                "found {} where object {index} of {count} should start",
-                quoted(word.text)
-            );
+            let message = format!("found {} where object {index} of {count} should start", quoted(word.text));
             self.fail(word.span(), message, "must be sphere, cube or pyramid")?;
             return self.skip_to_object();
         }
@@ -175,23 +140,12 @@ impl<'a> Parser<'a> {
         let position = self.point(|axis| format!("the {name}'s {axis}"))?;
         let mut length = |what: &str| self.number(&format!("the {name}'s {what}"), &LENGTH);
         let shape = match name {
-            "sphere" => ShapeDescription::Sphere {
-                radius: length("radius")?,
-            },
-            "cube" => ShapeDescription::Cube {
-                side: length("side")?,
-            },
-            _ => ShapeDescription::Pyramid {
-                width: length("width")?,
-                height: length("height")?,
-            },
+            "sphere" => ShapeDescription::Sphere { radius: length("radius")? },
+            "cube" => ShapeDescription::Cube { side: length("side")? },
+            _ => ShapeDescription::Pyramid { width: length("width")?, height: length("height")? },
         };
         let surface = self.surface(name)?;
-        Ok(ObjectDescription {
-            position,
-            shape,
-            surface,
-        })
+        Ok(ObjectDescription { position, shape, surface })
     }
 
     fn surface(&mut self, name: &str) -> Result<SurfaceDescription, Stop> {
@@ -207,14 +161,7 @@ impl<'a> Parser<'a> {
         let sum = ((ambient + diffuse) + specular) + reflection;
         self.check_sum(start, "ambient + diffuse + specular + reflection", sum);
         let shininess = self.number(&format!("the {name}'s shininess"), &SHININESS)?;
-        Ok(SurfaceDescription {
-            color,
-            ambient,
-            diffuse,
-            specular,
-            reflection,
-            shininess,
-        })
+        Ok(SurfaceDescription { color, ambient, diffuse, specular, reflection, shininess })
     }
 
     /// A count and that many items. Nothing here has a word of its own, so nothing can be skipped to.
@@ -245,11 +192,7 @@ impl<'a> Parser<'a> {
             self.fail(self.last.clone(), message.into(), "the point must be another one")?;
         }
         let cutoff = self.number("the spotlight's cutoff angle", &CUTOFF)?;
-        Ok(SpotDescription {
-            light,
-            target,
-            cutoff,
-        })
+        Ok(SpotDescription { light, target, cutoff })
     }
 
     fn point(&mut self, name: impl Fn(char) -> String) -> Result<DVec3, Stop> {
@@ -296,12 +239,7 @@ impl<'a> Parser<'a> {
 
     /// The next word, which should be a value and not the start of an object.
     fn value_word(&mut self, what: &str, allowed: &str) -> Result<Word<'a>, Stop> {
-        if let Some(word) = self
-            .words
-            .peek()
-            .copied()
-            .filter(|word| is_object_word(word.text))
-        {
+        if let Some(word) = self.words.peek().copied().filter(|word| is_object_word(word.text)) {
             let message = format!("found {} where {what} should be", quoted(word.text));
             self.fail(word.span(), message, format!("{allowed} is missing before this"))?;
             return Err(Stop::AtObject);
@@ -346,19 +284,12 @@ impl<'a> Parser<'a> {
         }
         let rounded = (sum * 1e6).round() / 1e6;
         let message = format!("the coefficients add up to {rounded}");
-        self.warnings.push(Problem::warning(
-            start..self.last.end,
-            message,
-            format!("{names} should be 1"),
-        ));
+        self.warnings.push(Problem::warning(start..self.last.end, message, format!("{names} should be 1")));
     }
 
     fn finished_warnings(mut self) -> Vec<Problem> {
         if let Some(last) = self.warnings.last_mut().filter(|_| self.unshown_warnings > 0) {
-            last.note = Some(format!(
-                "{} more such warnings are not shown",
-                self.unshown_warnings
-            ));
+            last.note = Some(format!("{} more such warnings are not shown", self.unshown_warnings));
         }
         self.warnings
     }

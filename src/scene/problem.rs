@@ -33,32 +33,17 @@ pub struct Problem {
 impl Problem {
     /// An error.
     pub(super) fn error(span: Range<usize>, message: String, label: impl Into<String>) -> Self {
-        Self {
-            severity: Severity::Error,
-            span,
-            message,
-            label: label.into(),
-            note: None,
-        }
+        Self { severity: Severity::Error, span, message, label: label.into(), note: None }
     }
 
     /// A warning.
     pub(super) fn warning(span: Range<usize>, message: String, label: impl Into<String>) -> Self {
-        Self {
-            severity: Severity::Warning,
-            span,
-            message,
-            label: label.into(),
-            note: None,
-        }
+        Self { severity: Severity::Warning, span, message, label: label.into(), note: None }
     }
 
     /// The same with a line below.
     pub(super) fn with_note(self, note: impl Into<String>) -> Self {
-        Self {
-            note: Some(note.into()),
-            ..self
-        }
+        Self { note: Some(note.into()), ..self }
     }
 
     /// The problem with file, line and column, the line quoted and marked.
@@ -72,10 +57,7 @@ impl Problem {
             .with_message(&self.message)
             .with_label(Label::primary((), excerpt.marked.clone()).with_message(&self.label))
             .with_notes(self.note.iter().cloned().collect());
-        let config = Config {
-            chars: Chars::ascii(),
-            ..Config::default()
-        };
+        let config = Config { chars: Chars::ascii(), ..Config::default() };
         // Writing to a string and looking up an excerpt that exists cannot fail; were it to, the place and the
         // message would still be said.
         term::emit_into_string(&config, &excerpt, &diagnostic)
@@ -100,13 +82,9 @@ impl<'a> Excerpt<'a> {
     fn around(name: &'a str, text: &str, span: &Range<usize>) -> Self {
         let before = &text[..span.start];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let line_end = text[span.start..]
-            .find('\n')
-            .map_or(text.len(), |length| span.start + length);
+        let line_end = text[span.start..].find('\n').map_or(text.len(), |length| span.start + length);
         let from = text.ceil_char_boundary(line_start.max(span.start.saturating_sub(QUOTED)));
-        let to = text
-            .floor_char_boundary(line_end.min(span.start + QUOTED))
-            .max(span.start);
+        let to = text.floor_char_boundary(line_end.min(span.start + QUOTED)).max(span.start);
         let left = printable(&text[from..span.start]);
         let middle = printable(&text[span.start..span.end.clamp(span.start, to)]);
         let right = printable(&text[span.end.clamp(span.start, to)..to]);

@@ -52,29 +52,20 @@ pub struct Loaded {
 impl Source {
     /// A text that does not come from a file, with a name to stand for one.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
-        Self {
-            name: name.into(),
-            text: text.into(),
-        }
+        Self { name: name.into(), text: text.into() }
     }
 
     /// Reads a regular file of at most [`MAX_BYTES`]. Bytes that are not UTF-8 are replaced: the prose after the
     /// last number may be in any encoding.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
-        let unreadable = |error| SceneError::Unreadable {
-            path: path.to_owned(),
-            error,
-        };
+        let unreadable = |error| SceneError::Unreadable { path: path.to_owned(), error };
         // Asked before opening: opening a pipe would wait for its writer.
         if !path.metadata().map_err(unreadable)?.is_file() {
             return Err(SceneError::NotAFile(path.to_owned()));
         }
         let mut bytes = Vec::new();
         let file = File::open(path).map_err(unreadable)?;
-        let length = file
-            .take(MAX_BYTES + 1)
-            .read_to_end(&mut bytes)
-            .map_err(unreadable)?;
+        let length = file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
         if length as u64 > MAX_BYTES {
             return Err(SceneError::TooLarge(path.to_owned()));
         }
@@ -88,10 +79,7 @@ impl Source {
         match parse(&self.text) {
             Ok((description, warnings)) => {
                 let warnings = warnings.iter().map(|warning| self.show(warning)).collect();
-                Ok(Loaded {
-                    description,
-                    warnings,
-                })
+                Ok(Loaded { description, warnings })
             }
             Err(problems) => {
                 let shown: Vec<String> = problems.iter().map(|problem| self.show(problem)).collect();

@@ -16,25 +16,9 @@ use super::description::{
 /// Spawns everything in a description, the camera in its starting pose, and sets [`Snapshot`]. An effect whose
 /// coefficient is 0 becomes no component.
 pub fn spawn(world: &mut World, description: &Description) {
-    let Description {
-        near,
-        far,
-        fovy,
-        aspect,
-        level,
-        pixels,
-        ..
-    } = *description;
+    let Description { near, far, fovy, aspect, level, pixels, .. } = *description;
     world.insert_resource(Snapshot { pixels, level });
-    world.spawn((
-        CameraPose::default(),
-        Lens {
-            near,
-            far,
-            fovy,
-            aspect,
-        },
-    ));
+    world.spawn((CameraPose::default(), Lens { near, far, fovy, aspect }));
     for (order, object) in orders().zip(&description.objects) {
         spawn_object(world, order, object);
     }
@@ -73,10 +57,7 @@ fn spawn_object(world: &mut World, order: Order, object: &ObjectDescription) {
         ShapeDescription::Pyramid { width, height } => entity.insert(Pyramid { width, height }),
     };
     if surface.specular != 0.0 {
-        entity.insert(Gloss {
-            specular: surface.specular,
-            shininess: surface.shininess,
-        });
+        entity.insert(Gloss { specular: surface.specular, shininess: surface.shininess });
     }
     insert_mirror(&mut entity, surface.reflection);
 }
@@ -93,10 +74,7 @@ fn spawn_light(world: &mut World, order: Order, light: &LightDescription, spot: 
         entity.insert(Falloff(light.falloff));
     }
     if let Some(spot) = spot {
-        entity.insert(SpotCone {
-            target: spot.target,
-            cutoff: spot.cutoff,
-        });
+        entity.insert(SpotCone { target: spot.target, cutoff: spot.cutoff });
     }
 }
 
@@ -123,36 +101,17 @@ pub enum DescribeError {
 /// Spawned again, it gives the same World if it came from a file: gloss without a specular part, a mirror that
 /// reflects nothing and a falloff of 0 are not kept.
 pub fn describe(world: &mut World) -> Result<Description, DescribeError> {
-    let Lens {
-        near,
-        far,
-        fovy,
-        aspect,
-    } = describe_lens(world)?;
+    let Lens { near, far, fovy, aspect } = describe_lens(world)?;
     let Snapshot { pixels, level } = world.get_resource::<Snapshot>().copied().unwrap_or_default();
     let board = describe_board(world)?;
     let objects = describe_objects(world)?;
     let (lights, spots) = describe_lights(world);
-    Ok(Description {
-        near,
-        far,
-        fovy,
-        aspect,
-        level,
-        pixels,
-        board,
-        objects,
-        lights,
-        spots,
-    })
+    Ok(Description { near, far, fovy, aspect, level, pixels, board, objects, lights, spots })
 }
 
 fn describe_lens(world: &mut World) -> Result<Lens, DescribeError> {
     let mut lenses = world.query_filtered::<&Lens, With<CameraPose>>();
-    lenses
-        .single(world)
-        .copied()
-        .map_err(|_| DescribeError::Cameras(lenses.iter(world).len()))
+    lenses.single(world).copied().map_err(|_| DescribeError::Cameras(lenses.iter(world).len()))
 }
 
 fn describe_board(world: &mut World) -> Result<BoardDescription, DescribeError> {
@@ -166,25 +125,11 @@ fn describe_board(world: &mut World) -> Result<BoardDescription, DescribeError> 
         return Err(DescribeError::Board(entity));
     }
     let reflection = mirror.map_or(0.0, |mirror| mirror.0);
-    Ok(BoardDescription {
-        cell: board.cell,
-        ambient: ambient.0,
-        diffuse: diffuse.0,
-        reflection,
-    })
+    Ok(BoardDescription { cell: board.cell, ambient: ambient.0, diffuse: diffuse.0, reflection })
 }
 
-type SurfaceParts = (
-    &'static Ambient,
-    &'static Diffuse,
-    Option<&'static Gloss>,
-    Option<&'static Mirror>,
-);
-type Shapes = (
-    Option<&'static Sphere>,
-    Option<&'static Cube>,
-    Option<&'static Pyramid>,
-);
+type SurfaceParts = (&'static Ambient, &'static Diffuse, Option<&'static Gloss>, Option<&'static Mirror>);
+type Shapes = (Option<&'static Sphere>, Option<&'static Cube>, Option<&'static Pyramid>);
 type IsObject = Or<(With<Sphere>, With<Cube>, With<Pyramid>)>;
 
 fn describe_objects(world: &mut World) -> Result<Vec<ObjectDescription>, DescribeError> {
@@ -193,14 +138,11 @@ fn describe_objects(world: &mut World) -> Result<Vec<ObjectDescription>, Describ
     let mut objects = Vec::new();
     for (entity, order, position, color, (ambient, diffuse, gloss, mirror), shapes) in query.iter(world) {
         let shape = match shapes {
-            (Some(sphere), None, None) => ShapeDescription::Sphere {
-                radius: sphere.radius,
-            },
+            (Some(sphere), None, None) => ShapeDescription::Sphere { radius: sphere.radius },
             (None, Some(cube), None) => ShapeDescription::Cube { side: cube.side },
-            (None, None, Some(pyramid)) => ShapeDescription::Pyramid {
-                width: pyramid.width,
-                height: pyramid.height,
-            },
+            (None, None, Some(pyramid)) => {
+                ShapeDescription::Pyramid { width: pyramid.width, height: pyramid.height }
+            }
             _ => return Err(DescribeError::Shapes(entity)),
         };
         let surface = SurfaceDescription {
@@ -211,14 +153,7 @@ fn describe_objects(world: &mut World) -> Result<Vec<ObjectDescription>, Describ
             reflection: mirror.map_or(0.0, |mirror| mirror.0),
             shininess: gloss.map_or(0.0, |gloss| gloss.shininess),
         };
-        objects.push((
-            place(order, entity),
-            ObjectDescription {
-                position: position.0,
-                shape,
-                surface,
-            },
-        ));
+        objects.push((place(order, entity), ObjectDescription { position: position.0, shape, surface }));
     }
     Ok(in_order(objects))
 }
@@ -227,33 +162,21 @@ fn describe_lights(world: &mut World) -> (Vec<LightDescription>, Vec<SpotDescrip
     let mut query = world.query_filtered::<LightParts, With<Light>>();
     let (mut lights, mut spots) = (Vec::new(), Vec::new());
     for (entity, order, position, falloff, cone) in query.iter(world) {
-        let light = LightDescription {
-            position: position.0,
-            falloff: falloff.map_or(0.0, |falloff| falloff.0),
-        };
+        let light =
+            LightDescription { position: position.0, falloff: falloff.map_or(0.0, |falloff| falloff.0) };
         let place = place(order, entity);
         match cone {
-            Some(&SpotCone { target, cutoff }) => spots.push((
-                place,
-                SpotDescription {
-                    light,
-                    target,
-                    cutoff,
-                },
-            )),
+            Some(&SpotCone { target, cutoff }) => {
+                spots.push((place, SpotDescription { light, target, cutoff }))
+            }
             None => lights.push((place, light)),
         }
     }
     (in_order(lights), in_order(spots))
 }
 
-type LightParts = (
-    Entity,
-    Option<&'static Order>,
-    &'static Position,
-    Option<&'static Falloff>,
-    Option<&'static SpotCone>,
-);
+type LightParts =
+    (Entity, Option<&'static Order>, &'static Position, Option<&'static Falloff>, Option<&'static SpotCone>);
 
 type Place = (u32, Entity);
 

@@ -19,26 +19,14 @@ impl fmt::Display for Description {
         let coefficients = [board.ambient, board.diffuse, board.reflection];
         writeln!(f, "{}  # ambient, diffuse, reflection\n", Numbers(&coefficients))?;
         writeln!(f, "{}  # objects", self.objects.len())?;
-        self.objects
-            .iter()
-            .try_for_each(|object| write_object(f, object))?;
+        self.objects.iter().try_for_each(|object| write_object(f, object))?;
         writeln!(f, "\n{}  # normal lights: position, falloff", self.lights.len())?;
         for light in &self.lights {
             writeln!(f, "{}", Light(light))?;
         }
-        writeln!(
-            f,
-            "\n{}  # spotlights: position, falloff, point looked at, cutoff",
-            self.spots.len()
-        )?;
+        writeln!(f, "\n{}  # spotlights: position, falloff, point looked at, cutoff", self.spots.len())?;
         for spot in &self.spots {
-            writeln!(
-                f,
-                "{}  {}  {}",
-                Light(&spot.light),
-                Point(spot.target),
-                Number(spot.cutoff)
-            )?;
+            writeln!(f, "{}  {}  {}", Light(&spot.light), Point(spot.target), Number(spot.cutoff))?;
         }
         Ok(())
     }
@@ -54,19 +42,8 @@ fn write_object(f: &mut fmt::Formatter<'_>, object: &ObjectDescription) -> fmt::
         }
     }
     let surface = &object.surface;
-    let coefficients = [
-        surface.ambient,
-        surface.diffuse,
-        surface.specular,
-        surface.reflection,
-    ];
-    writeln!(
-        f,
-        "{}\n{}\n{}",
-        Point(surface.color),
-        Numbers(&coefficients),
-        Number(surface.shininess)
-    )
+    let coefficients = [surface.ambient, surface.diffuse, surface.specular, surface.reflection];
+    writeln!(f, "{}\n{}\n{}", Point(surface.color), Numbers(&coefficients), Number(surface.shininess))
 }
 
 /// A number in the fewest digits that read back to it, with an exponent where it would be long.

@@ -54,13 +54,7 @@ impl<T: Real> CameraRays<T> {
         let direction = self.look + offset;
         let length = direction.length();
         let origin = self.eye + direction * self.near;
-        CameraRay {
-            ray: Ray {
-                origin,
-                direction: direction / length,
-            },
-            reach: self.far * length,
-        }
+        CameraRay { ray: Ray { origin, direction: direction / length }, reach: self.far * length }
     }
 
     /// Position of a pixel centre from -1 to 1: exactly antisymmetric about the middle of the picture.

@@ -26,52 +26,22 @@ impl<T: Real> SceneTables<T> {
     /// Rows of every table.
     pub fn table_counts(&self) -> [TableCount; 5] {
         [
-            TableCount {
-                table: "spheres",
-                rows: self.spheres.shapes.len(),
-            },
-            TableCount {
-                table: "cubes",
-                rows: self.cubes.shapes.len(),
-            },
-            TableCount {
-                table: "pyramids",
-                rows: self.pyramids.shapes.len(),
-            },
-            TableCount {
-                table: "checkerboards",
-                rows: self.boards.shapes.len(),
-            },
-            TableCount {
-                table: "lights",
-                rows: self.lights.len(),
-            },
+            TableCount { table: "spheres", rows: self.spheres.shapes.len() },
+            TableCount { table: "cubes", rows: self.cubes.shapes.len() },
+            TableCount { table: "pyramids", rows: self.pyramids.shapes.len() },
+            TableCount { table: "checkerboards", rows: self.boards.shapes.len() },
+            TableCount { table: "lights", rows: self.lights.len() },
         ]
     }
 
     /// Rows that ask for each effect.
     pub fn effect_counts(&self) -> [EffectCount; 5] {
         [
-            EffectCount {
-                effect: "gloss",
-                rows: self.over_surfaces(|counts| counts.gloss),
-            },
-            EffectCount {
-                effect: "mirror",
-                rows: self.over_surfaces(|counts| counts.mirror),
-            },
-            EffectCount {
-                effect: "texture",
-                rows: self.boards.shapes.textures.len(),
-            },
-            EffectCount {
-                effect: "falloff",
-                rows: self.lights.falloff.len(),
-            },
-            EffectCount {
-                effect: "spot_cone",
-                rows: self.lights.cone.len(),
-            },
+            EffectCount { effect: "gloss", rows: self.over_surfaces(|counts| counts.gloss) },
+            EffectCount { effect: "mirror", rows: self.over_surfaces(|counts| counts.mirror) },
+            EffectCount { effect: "texture", rows: self.boards.shapes.textures.len() },
+            EffectCount { effect: "falloff", rows: self.lights.falloff.len() },
+            EffectCount { effect: "spot_cone", rows: self.lights.cone.len() },
         ]
     }
 
@@ -89,8 +59,5 @@ struct SurfaceCounts {
 }
 
 fn surface_counts<T: Real, C>(table: &ShapeTable<T, C>) -> SurfaceCounts {
-    SurfaceCounts {
-        gloss: table.surfaces.gloss.len(),
-        mirror: table.surfaces.mirror.len(),
-    }
+    SurfaceCounts { gloss: table.surfaces.gloss.len(), mirror: table.surfaces.mirror.len() }
 }

@@ -14,11 +14,7 @@ pub fn closest_hit<T: Real>(
     departure: &Departure,
     reach: T,
 ) -> Option<Hit<T>> {
-    let mut nearest = Nearest {
-        reach,
-        order: u32::MAX,
-        hit: None,
-    };
+    let mut nearest = Nearest { reach, order: u32::MAX, hit: None };
     nearest.search(&tables.spheres, ray, departure);
     nearest.search(&tables.cubes, ray, departure);
     nearest.search(&tables.pyramids, ray, departure);
@@ -38,11 +34,7 @@ pub(super) fn cross_row<T: Real, C: ShapeColumns<T>>(
         return None;
     }
     let shape = shapes.shape(row as usize);
-    if row == departed.within {
-        Some(shape.exit(ray, departed.face))
-    } else {
-        shape.intersect(ray)
-    }
+    if row == departed.within { Some(shape.exit(ray, departed.face)) } else { shape.intersect(ray) }
 }
 
 struct Nearest<T> {
@@ -64,10 +56,7 @@ impl<T: Real> Nearest<T> {
             if nearer || tie_won {
                 self.reach = crossing.t;
                 self.order = order;
-                self.hit = Some(Hit {
-                    object: ObjectId { kind: C::KIND, row },
-                    crossing,
-                });
+                self.hit = Some(Hit { object: ObjectId { kind: C::KIND, row }, crossing });
             }
         }
     }

@@ -60,15 +60,12 @@ impl Departure {
     #[inline(always)]
     pub(super) fn rows(&self, kind: Kind) -> DepartedRow {
         match *self {
-            Self::Outward(object) if object.kind == kind => DepartedRow {
-                skipped: object.row,
-                ..DepartedRow::NONE
-            },
-            Self::Inward(object, face) if object.kind == kind => DepartedRow {
-                within: object.row,
-                face,
-                ..DepartedRow::NONE
-            },
+            Self::Outward(object) if object.kind == kind => {
+                DepartedRow { skipped: object.row, ..DepartedRow::NONE }
+            }
+            Self::Inward(object, face) if object.kind == kind => {
+                DepartedRow { within: object.row, face, ..DepartedRow::NONE }
+            }
             _ => DepartedRow::NONE,
         }
     }
@@ -87,9 +84,5 @@ pub(super) struct DepartedRow {
 
 impl DepartedRow {
     /// No table has a row of this number.
-    const NONE: Self = Self {
-        skipped: u32::MAX,
-        within: u32::MAX,
-        face: 0,
-    };
+    const NONE: Self = Self { skipped: u32::MAX, within: u32::MAX, face: 0 };
 }

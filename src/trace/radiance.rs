@@ -36,11 +36,7 @@ pub fn radiance<T: Real>(
         let reflectance = surface.mirror.filter(|_| remaining > 0);
         // One reflected direction serves gloss and mirror; a surface with neither never computes it.
         let needs_mirrored = surface.gloss.is_some() || reflectance.is_some();
-        let mirrored = if needs_mirrored {
-            reflect(ray.direction, shaded.normal)
-        } else {
-            ray.direction
-        };
+        let mirrored = if needs_mirrored { reflect(ray.direction, shaded.normal) } else { ray.direction };
         let own = own_color(tables, &hit, surface.color, shaded.point);
         sum += shade_local(tables, &shaded, &surface, own, mirrored, counts) * weight;
 
@@ -50,10 +46,7 @@ pub fn radiance<T: Real>(
             break;
         }
         counts.rays.mirror += 1;
-        ray = Ray {
-            origin: shaded.point,
-            direction: mirrored,
-        };
+        ray = Ray { origin: shaded.point, direction: mirrored };
         reach = T::INFINITY;
         departure = shaded.departure;
     }

@@ -24,11 +24,7 @@ impl<T: Real> Shaded<T> {
             Side::Outside => at.normal,
             Side::Inside => -at.normal,
         };
-        Self {
-            point: at.point,
-            normal,
-            departure: hit.departure(),
-        }
+        Self { point: at.point, normal, departure: hit.departure() }
     }
 }
 
@@ -64,10 +60,7 @@ fn gather_lights<T: Real>(
     mirrored: Vector<T>,
     counts: &mut Counts,
 ) -> LightSums<T> {
-    let mut sums = LightSums {
-        lambert: T::ZERO,
-        phong: T::ZERO,
-    };
+    let mut sums = LightSums { lambert: T::ZERO, phong: T::ZERO };
     for row in 0..tables.lights.len() {
         let light = tables.lights.row(row);
         let segment = light.position - shaded.point;
@@ -81,22 +74,13 @@ fn gather_lights<T: Real>(
         }
         // 3. Lights of which nothing arrives from so far.
         let distance_squared = segment.dot(segment);
-        let scale = light
-            .falloff
-            .map_or(T::ONE, |falloff| attenuation(distance_squared, falloff));
+        let scale = light.falloff.map_or(T::ONE, |falloff| attenuation(distance_squared, falloff));
         if scale == T::ZERO {
             continue;
         }
         // 4. Lights that something hides.
         counts.rays.shadow += 1;
-        if is_occluded(
-            tables,
-            &Ray {
-                origin: shaded.point,
-                direction: segment,
-            },
-            &shaded.departure,
-        ) {
+        if is_occluded(tables, &Ray { origin: shaded.point, direction: segment }, &shaded.departure) {
             continue;
         }
         let to_light = segment / distance_squared.sqrt();
@@ -125,11 +109,7 @@ pub(super) fn own_color<T: Real>(
     let cell = cell_point(point.x - origin.x, point.y - origin.y, width);
     match boards.textures.get(row) {
         Some(texture) => {
-            let image = if cell.white {
-                &texture.white
-            } else {
-                &texture.black
-            };
+            let image = if cell.white { &texture.white } else { &texture.black };
             texel_color(image, cell.along_x, T::ONE - cell.along_y)
         }
         None if cell.white => plain,

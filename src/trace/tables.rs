@@ -95,10 +95,7 @@ impl<T: Real> ShapeColumns<T> for SphereColumns<T> {
     #[inline(always)]
     fn shape(&self, row: usize) -> SphereShape<T> {
         let center = Vector::new(self.x[row], self.y[row], self.z[row]);
-        SphereShape {
-            center,
-            radius: self.radius[row],
-        }
+        SphereShape { center, radius: self.radius[row] }
     }
 }
 
@@ -130,10 +127,7 @@ impl<T: Real> ShapeColumns<T> for CubeColumns<T> {
     #[inline(always)]
     fn shape(&self, row: usize) -> CubeShape<T> {
         let corner = |columns: &[Vec<T>; 3]| Vector::new(columns[0][row], columns[1][row], columns[2][row]);
-        CubeShape {
-            min: corner(&self.min),
-            max: corner(&self.max),
-        }
+        CubeShape { min: corner(&self.min), max: corner(&self.max) }
     }
 }
 
@@ -198,9 +192,7 @@ impl<T: Real> ShapeColumns<T> for BoardColumns<T> {
 
     #[inline(always)]
     fn shape(&self, row: usize) -> PlaneShape<T> {
-        PlaneShape {
-            height: self.origin[row].z,
-        }
+        PlaneShape { height: self.origin[row].z }
     }
 }
 
@@ -285,11 +277,7 @@ pub struct EffectColumn<R> {
 
 impl<R> Default for EffectColumn<R> {
     fn default() -> Self {
-        Self {
-            slots: Vec::new(),
-            rows: Vec::new(),
-            pushed: 0,
-        }
+        Self { slots: Vec::new(), rows: Vec::new(), pushed: 0 }
     }
 }
 
