@@ -167,7 +167,7 @@ fn describe_lights(world: &mut World) -> (Vec<LightDescription>, Vec<SpotDescrip
         let place = place(order, entity);
         match cone {
             Some(&SpotCone { target, cutoff }) => {
-                spots.push((place, SpotDescription { light, target, cutoff }))
+                spots.push((place, SpotDescription { light, target, cutoff }));
             }
             None => lights.push((place, light)),
         }
