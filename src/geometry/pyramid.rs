@@ -9,14 +9,14 @@ use super::{Convex, Crossing, Ray, Real, SurfacePoint, Vector};
 /// Faces: 0 and 1 look towards -x and +x, 2 and 3 towards -y and +y, 4 is the base.
 #[derive(Clone, Copy, Debug)]
 pub struct PyramidShape<T> {
-    apex: Vector<T>,
-    base: T,
+    /// Tip.
+    pub apex: Vector<T>,
+    /// The base's z.
+    pub base: T,
     /// Half the width of the base.
-    half_width: T,
-    height: T,
-    /// Components of the unit side normal: sideways and up.
-    normal_out: T,
-    normal_up: T,
+    pub half_width: T,
+    /// Height of the tip above the base.
+    pub height: T,
 }
 
 const BASE: u8 = 4;
@@ -28,20 +28,12 @@ impl<T: Real> PyramidShape<T> {
     /// `height` above the base's middle.
     pub fn new(corner: DVec3, width: f64, height: f64) -> Self {
         let half_width = 0.5 * width;
-        let slant = libm::hypot(height, half_width);
         Self {
             apex: Vector::from_dvec3(corner + DVec3::new(half_width, half_width, height)),
             base: T::from_f64(corner.z),
             half_width: T::from_f64(half_width),
             height: T::from_f64(height),
-            normal_out: T::from_f64(height / slant),
-            normal_up: T::from_f64(half_width / slant),
         }
-    }
-
-    /// The tip.
-    pub fn apex(&self) -> Vector<T> {
-        self.apex
     }
 
     /// Half-space `t * slope <= room` of a side face. The offset is taken from the apex, and the normal
@@ -59,8 +51,8 @@ impl<T: Real> PyramidShape<T> {
         let Some(&(axis, positive)) = SIDES.get(usize::from(face)) else {
             return Vector::new(T::ZERO, T::ZERO, -T::ONE);
         };
-        let out = if positive { self.normal_out } else { -self.normal_out };
-        Vector::new(T::ZERO, T::ZERO, self.normal_up).with(axis, out)
+        let out = if positive { self.height } else { -self.height };
+        Vector::new(T::ZERO, T::ZERO, self.half_width).with(axis, out).unit()
     }
 }
 

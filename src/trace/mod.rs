@@ -8,22 +8,29 @@ mod camera;
 mod census;
 mod closest;
 mod counts;
+mod effect_column;
 mod hit;
+mod light_table;
 mod occlusion;
 mod radiance;
 mod shade;
+mod shape_columns;
+mod surface_table;
 mod tables;
 mod tile;
 
-pub use camera::CameraRays;
+pub use camera::{CameraRay, CameraRays};
 pub use census::{EffectCount, TableCount};
 pub use closest::closest_hit;
 pub use counts::{Counts, RayCounts};
+pub use effect_column::EffectColumn;
 pub use hit::{Departure, Hit, Kind, ObjectId};
+pub use light_table::{LightRow, LightTable};
 pub use occlusion::is_occluded;
 pub use radiance::radiance;
-pub use tables::{
-    BoardColumns, BoardTexture, CubeColumns, EffectColumn, GlossRow, LightRow, LightTable, PyramidColumns,
-    SceneTables, ShapeColumns, ShapeTable, SphereColumns, SurfaceRow, SurfaceTable,
+pub use shape_columns::{
+    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };
+pub use surface_table::{GlossRow, SurfaceRow, SurfaceTable};
+pub use tables::{SceneTables, ShapeTable};
 pub use tile::trace_tile;

@@ -1,0 +1,193 @@
+//! Shapes, as columns of numbers.
+
+use std::sync::Arc;
+
+use crate::components::Texture;
+use crate::geometry::{Convex, CubeShape, PlaneShape, PyramidShape, Real, SphereShape, Vector};
+
+use super::{EffectColumn, Kind};
+
+/// Columns that describe the shapes of one kind.
+pub trait ShapeColumns<T: Real>: Default {
+    /// What one row describes.
+    type Shape: Convex<T>;
+    /// How hits on these rows are named.
+    const KIND: Kind;
+
+    /// Number of rows.
+    fn len(&self) -> usize;
+    /// Whether there is no row.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+    /// The shape of a row below [`len`](Self::len).
+    fn shape(&self, row: usize) -> Self::Shape;
+}
+
+/// A column of vectors.
+#[derive(Clone, Debug, Default)]
+pub(super) struct VectorColumns<T> {
+    x: Vec<T>,
+    y: Vec<T>,
+    z: Vec<T>,
+}
+
+impl<T: Real> VectorColumns<T> {
+    pub(super) fn push(&mut self, v: Vector<T>) {
+        self.x.push(v.x);
+        self.y.push(v.y);
+        self.z.push(v.z);
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, row: usize) -> Vector<T> {
+        Vector::new(self.x[row], self.y[row], self.z[row])
+    }
+}
+
+/// Centre and radius of spheres.
+#[derive(Clone, Debug, Default)]
+pub struct SphereColumns<T> {
+    center: VectorColumns<T>,
+    radius: Vec<T>,
+}
+
+impl<T: Real> SphereColumns<T> {
+    /// Adds a row.
+    pub fn push(&mut self, sphere: SphereShape<T>) {
+        self.center.push(sphere.center);
+        self.radius.push(sphere.radius);
+    }
+}
+
+impl<T: Real> ShapeColumns<T> for SphereColumns<T> {
+    type Shape = SphereShape<T>;
+    const KIND: Kind = Kind::Sphere;
+
+    fn len(&self) -> usize {
+        self.radius.len()
+    }
+
+    #[inline(always)]
+    fn shape(&self, row: usize) -> SphereShape<T> {
+        SphereShape { center: self.center.get(row), radius: self.radius[row] }
+    }
+}
+
+/// Opposite corners of cubes.
+#[derive(Clone, Debug, Default)]
+pub struct CubeColumns<T> {
+    min: VectorColumns<T>,
+    max: VectorColumns<T>,
+}
+
+impl<T: Real> CubeColumns<T> {
+    /// Adds a row.
+    pub fn push(&mut self, cube: CubeShape<T>) {
+        self.min.push(cube.min);
+        self.max.push(cube.max);
+    }
+}
+
+impl<T: Real> ShapeColumns<T> for CubeColumns<T> {
+    type Shape = CubeShape<T>;
+    const KIND: Kind = Kind::Cube;
+
+    fn len(&self) -> usize {
+        self.min.len()
+    }
+
+    #[inline(always)]
+    fn shape(&self, row: usize) -> CubeShape<T> {
+        CubeShape { min: self.min.get(row), max: self.max.get(row) }
+    }
+}
+
+/// Apex and measures of pyramids.
+#[derive(Clone, Debug, Default)]
+pub struct PyramidColumns<T> {
+    apex: VectorColumns<T>,
+    base: Vec<T>,
+    half_width: Vec<T>,
+    height: Vec<T>,
+}
+
+impl<T: Real> PyramidColumns<T> {
+    /// Adds a row.
+    pub fn push(&mut self, pyramid: PyramidShape<T>) {
+        self.apex.push(pyramid.apex);
+        self.base.push(pyramid.base);
+        self.half_width.push(pyramid.half_width);
+        self.height.push(pyramid.height);
+    }
+}
+
+impl<T: Real> ShapeColumns<T> for PyramidColumns<T> {
+    type Shape = PyramidShape<T>;
+    const KIND: Kind = Kind::Pyramid;
+
+    fn len(&self) -> usize {
+        self.base.len()
+    }
+
+    #[inline(always)]
+    fn shape(&self, row: usize) -> PyramidShape<T> {
+        PyramidShape {
+            apex: self.apex.get(row),
+            base: self.base[row],
+            half_width: self.half_width[row],
+            height: self.height[row],
+        }
+    }
+}
+
+/// Origin, cell width and images of checkerboards.
+#[derive(Clone, Debug, Default)]
+pub struct BoardColumns<T> {
+    origin: VectorColumns<T>,
+    cell: Vec<T>,
+    /// Images on the cells, for boards that carry some.
+    pub textures: EffectColumn<BoardTexture>,
+}
+
+impl<T: Real> BoardColumns<T> {
+    /// Adds a row: the corner of a white cell with the least coordinates, and the width of the cells.
+    pub fn push(&mut self, origin: Vector<T>, cell: T, texture: Option<BoardTexture>) {
+        self.origin.push(origin);
+        self.cell.push(cell);
+        self.textures.push(texture);
+    }
+
+    /// Origin and cell width of a row.
+    #[inline(always)]
+    pub(super) fn pattern(&self, row: usize) -> (Vector<T>, T) {
+        (self.origin.get(row), self.cell[row])
+    }
+}
+
+impl<T: Real> ShapeColumns<T> for BoardColumns<T> {
+    type Shape = PlaneShape<T>;
+    const KIND: Kind = Kind::Board;
+
+    fn len(&self) -> usize {
+        self.cell.len()
+    }
+
+    #[inline(always)]
+    fn shape(&self, row: usize) -> PlaneShape<T> {
+        PlaneShape { height: self.origin.get(row).z }
+    }
+}
+
+/// The images of a textured checkerboard.
+#[derive(Clone, Debug)]
+pub struct BoardTexture {
+    /// On white cells.
+    pub white: Arc<Texture>,
+    /// On black cells.
+    pub black: Arc<Texture>,
+}

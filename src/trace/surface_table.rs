@@ -1,0 +1,65 @@
+//! Surfaces.
+
+use crate::effects::Rgb;
+use crate::geometry::Real;
+
+use super::EffectColumn;
+
+/// Surfaces of the objects of one kind.
+#[derive(Clone, Debug, Default)]
+pub struct SurfaceTable<T> {
+    color: Vec<Rgb<T>>,
+    ambient: Vec<T>,
+    diffuse: Vec<T>,
+    /// Gloss, for surfaces that have some.
+    pub gloss: EffectColumn<GlossRow<T>>,
+    /// Reflectance, for surfaces that are mirrors.
+    pub mirror: EffectColumn<T>,
+}
+
+/// One surface.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceRow<T> {
+    /// Own colour.
+    pub color: Rgb<T>,
+    /// Ambient coefficient.
+    pub ambient: T,
+    /// Diffuse coefficient.
+    pub diffuse: T,
+    /// Gloss, unless it would show nothing.
+    pub gloss: Option<GlossRow<T>>,
+    /// Reflectance, unless it would show nothing.
+    pub mirror: Option<T>,
+}
+
+/// Gloss of a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct GlossRow<T> {
+    /// Specular coefficient.
+    pub specular: T,
+    /// Phong exponent.
+    pub shininess: T,
+}
+
+impl<T: Real> SurfaceTable<T> {
+    /// Adds a row.
+    pub fn push(&mut self, surface: SurfaceRow<T>) {
+        self.color.push(surface.color);
+        self.ambient.push(surface.ambient);
+        self.diffuse.push(surface.diffuse);
+        self.gloss.push(surface.gloss);
+        self.mirror.push(surface.mirror);
+    }
+
+    /// A row as it was added.
+    #[inline(always)]
+    pub fn row(&self, row: usize) -> SurfaceRow<T> {
+        SurfaceRow {
+            color: self.color[row],
+            ambient: self.ambient[row],
+            diffuse: self.diffuse[row],
+            gloss: self.gloss.get(row).copied(),
+            mirror: self.mirror.get(row).copied(),
+        }
+    }
+}
