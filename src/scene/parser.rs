@@ -15,6 +15,7 @@ use super::description::{
 };
 use super::lexer::{Lexer, Word};
 use super::problem::{Problem, quoted};
+use super::write::Number;
 
 /// Most objects in a file.
 pub const MAX_OBJECTS: u32 = 2_000_000;
@@ -31,6 +32,8 @@ pub fn parse(text: &str) -> Result<(Description, Vec<Problem>), Vec<Problem>> {
         words: Lexer::new(text).peekable(),
         end: text.trim_end().len(),
         last: 0..0,
+        announced: None,
+        in_list: false,
         problems: Vec::new(),
         warnings: Vec::new(),
         unshown_warnings: 0,
@@ -56,6 +59,10 @@ struct Parser<'a> {
     end: usize,
     /// The word read last.
     last: Span<usize>,
+    /// The count that says how many items are being read, in words: where it is wrong, the error shows later.
+    announced: Option<String>,
+    /// Whether these items are bare numbers, without a word at their start.
+    in_list: bool,
     problems: Vec<Problem>,
     warnings: Vec<Problem>,
     unshown_warnings: usize,
@@ -72,15 +79,17 @@ impl<'a> Parser<'a> {
         let near = self.number("the distance of the near plane", &LENGTH)?;
         let far = self.number("the distance of the far plane", &LENGTH)?;
         if near >= far {
-            let message = format!("the far plane at {far} is not beyond the near plane");
-            self.fail(self.last.clone(), message, format!("must be greater than {near}"))?;
+            let message = format!("the distance of the far plane is {}", Number(far));
+            let label = format!("must be greater than that of the near plane, {}", Number(near));
+            self.fail(self.last.clone(), message, label)?;
         }
         let fovy = self.number("the vertical field of view", &FIELD_OF_VIEW)?;
         let aspect = self.number("the aspect ratio", &RATIO)?;
         if FIELD_OF_VIEW.contains(fovy) && RATIO.contains(aspect) && !FIELD_OF_VIEW.contains(aspect * fovy) {
-            let found =
-                format!("the horizontal field of view, {aspect} * {fovy}, is {} degrees", aspect * fovy);
-            self.fail(self.last.clone(), found, "must keep it below 180 degrees")?;
+            let fovx = Number(rounded(aspect * fovy));
+            let message =
+                format!("the horizontal field of view, aspect ratio times vertical one, is {fovx} degrees");
+            self.fail(self.last.clone(), message, format!("must make it {}", FIELD_OF_VIEW.words))?;
         }
         let level = self.whole("the level of recursion", 0, MAX_LEVEL)?;
         let pixels = self.whole("the number of pixels along each side", 1, MAX_PIXELS)?;
@@ -88,6 +97,7 @@ impl<'a> Parser<'a> {
         let objects = self.objects()?;
         let lights = self.list("normal light", |parser| parser.light("light"))?;
         let spots = self.list("spotlight", Self::spot)?;
+        self.check_rest();
         Ok(Description { near, far, fovy, aspect, level, pixels, board, objects, lights, spots })
     }
 
@@ -102,8 +112,7 @@ impl<'a> Parser<'a> {
     }
 
     fn objects(&mut self) -> Result<Vec<ObjectDescription>, Stop> {
-        let count = self.whole("the number of objects", 0, MAX_OBJECTS)?;
-        let line = self.text[..self.last.start].matches('\n').count() + 1;
+        let count = self.count("object", MAX_OBJECTS)?;
         // Grown as objects come: a count alone costs no memory.
         let mut objects = Vec::new();
         for index in 1..=count {
@@ -113,28 +122,30 @@ impl<'a> Parser<'a> {
                 Err(Stop::Lost) => return Err(Stop::Lost),
             }
         }
-        if let Some(word) = self.words.peek().filter(|word| is_object_word(word.text)).copied() {
-            self.note(
-                Problem::error(
-                    word.span(),
-                    format!("found {} where the number of normal lights should be", quoted(word.text)),
-                    "one object more than announced",
-                )
-                .with_note(format!("the number of objects is given as {count} in line {line}")),
-            )?;
-            return Err(Stop::Lost);
+        let extra = self.words.peek().filter(|word| is_object_word(word.text)).copied();
+        if let Some(word) = extra.filter(|_| self.problems.is_empty()) {
+            let message = format!("found {} where the number of normal lights should be", quoted(word.text));
+            self.fail_count(word.span(), message, "one object more than announced")?;
         }
-        Ok(objects)
+        match extra {
+            Some(_) => Err(Stop::Lost),
+            None => Ok(objects),
+        }
     }
 
     fn object(&mut self, index: u32, count: u32) -> Result<ObjectDescription, Stop> {
-        let Some(word) = self.next() else {
+        let Some(mut word) = self.next() else {
             return self.ended(&format!("object {index} of {count}"), "sphere, cube or pyramid");
         };
         if !is_object_word(word.text) {
             let message = format!("found {} where object {index} of {count} should start", quoted(word.text));
-            self.fail(word.span(), message, "must be sphere, cube or pyramid")?;
-            return self.skip_to_object();
+            self.fail_count(word.span(), message, "must be sphere, cube or pyramid")?;
+            self.skip_to_object()?;
+            // A number before the object was one too many; any other word was this object's name.
+            if !is_number(word.text) {
+                return Err(Stop::AtObject);
+            }
+            word = self.next().ok_or(Stop::Lost)?;
         }
         let name = word.text;
         let position = self.point(|axis| format!("the {name}'s {axis}"))?;
@@ -170,7 +181,8 @@ impl<'a> Parser<'a> {
         name: &str,
         mut item: impl FnMut(&mut Self) -> Result<I, Stop>,
     ) -> Result<Vec<I>, Stop> {
-        let count = self.whole(&format!("the number of {name}s"), 0, MAX_LIGHTS)?;
+        let count = self.count(name, MAX_LIGHTS)?;
+        self.in_list = true;
         let mut items = Vec::new();
         for _ in 0..count {
             items.push(item(self)?);
@@ -186,10 +198,11 @@ impl<'a> Parser<'a> {
 
     fn spot(&mut self) -> Result<SpotDescription, Stop> {
         let light = self.light("spotlight")?;
+        let start = self.words.peek().map_or(self.end, |word| word.start);
         let target = self.point(|axis| format!("the {axis} of the point that the spotlight looks at"))?;
         if target == light.position {
             let message = "the spotlight looks at its own position, so its cone has no direction";
-            self.fail(self.last.clone(), message.into(), "the point must be another one")?;
+            self.fail(start..self.last.end, message.into(), "must be another point")?;
         }
         let cutoff = self.number("the spotlight's cutoff angle", &CUTOFF)?;
         Ok(SpotDescription { light, target, cutoff })
@@ -206,13 +219,12 @@ impl<'a> Parser<'a> {
         let word = self.value_word(what, range.words)?;
         match word.text.parse::<f64>() {
             Ok(number) if range.contains(number) => return Ok(number),
-            Ok(number) if number.is_finite() => {
-                let message = format!("{what} is {}", quoted(word.text));
-                self.fail(word.span(), message, format!("must be {}", range.words))?;
-            }
             _ => {
-                let message = format!("found {} where {what} should be", quoted(word.text));
-                self.fail(word.span(), message, format!("must be {}", range.words))?;
+                // Within a list of bare numbers, a word may be what follows the list.
+                let too_many = self.in_list && !is_number(word.text);
+                let note = self.announced.clone().filter(|_| too_many);
+                let problem = not_allowed(word, what, range.words);
+                self.note(Problem { note, ..problem })?;
             }
         }
         Ok(f64::NAN)
@@ -225,16 +237,19 @@ impl<'a> Parser<'a> {
         match word.text.parse::<u32>() {
             Ok(number) if (low..=high).contains(&number) => Ok(number),
             _ => {
-                let is_number = word.text.parse::<f64>().is_ok_and(f64::is_finite);
-                let message = if is_number {
-                    format!("{what} is {}", quoted(word.text))
-                } else {
-                    format!("found {} where {what} should be", quoted(word.text))
-                };
-                self.fail(word.span(), message, format!("must be {words}"))?;
+                let problem = not_allowed(word, what, &words);
+                self.note(Problem { note: self.announced.clone(), ..problem })?;
                 Err(Stop::Lost)
             }
         }
+    }
+
+    /// How many items of a kind follow.
+    fn count(&mut self, item: &str, most: u32) -> Result<u32, Stop> {
+        let what = format!("the number of {item}s");
+        let count = self.whole(&what, 0, most)?;
+        self.announced = Some(format!("{what} is given as {count} in line {}", self.line(self.last.start)));
+        Ok(count)
     }
 
     /// The next word, which should be a value and not the start of an object.
@@ -258,19 +273,26 @@ impl<'a> Parser<'a> {
 
     fn ended<R>(&mut self, what: &str, allowed: &str) -> Result<R, Stop> {
         let message = format!("the file ends where {what} should be");
-        self.fail(self.end..self.end, message, format!("{allowed} is missing"))?;
+        self.fail_count(self.end..self.end, message, format!("{allowed} is missing"))?;
         Err(Stop::Lost)
     }
 
-    /// Passes over what belongs to an object of unknown kind.
-    fn skip_to_object<R>(&mut self) -> Result<R, Stop> {
-        while let Some(word) = self.words.peek() {
-            if is_object_word(word.text) {
-                return Err(Stop::AtObject);
-            }
-            self.words.next();
+    /// Passes over the numbers of an object of unknown kind, up to the next object. Any other word would be read as
+    /// what it is not, and so would a word of prose that happens to name an object.
+    fn skip_to_object(&mut self) -> Result<(), Stop> {
+        while self.words.next_if(|word| is_number(word.text)).is_some() {}
+        let mut ahead = self.words.clone();
+        let starts_object = ahead.next().is_some_and(|word| is_object_word(word.text))
+            && ahead.next().is_some_and(|word| is_number(word.text));
+        if starts_object { Ok(()) } else { Err(Stop::Lost) }
+    }
+
+    /// Prose may follow the last number. A number there is more likely one that some count left out.
+    fn check_rest(&mut self) {
+        if let Some(word) = self.words.peek().copied().filter(|word| is_number(word.text)) {
+            let message = format!("found {} after the last number of the scene", quoted(word.text));
+            self.warn(Problem::warning(word.span(), message, "this and all that follows is not read"));
         }
-        Err(Stop::Lost)
     }
 
     fn check_sum(&mut self, start: usize, names: &str, sum: f64) {
@@ -278,29 +300,48 @@ impl<'a> Parser<'a> {
         if (sum - 1.0).abs() <= 1e-6 || sum.is_nan() {
             return;
         }
-        if self.warnings.len() == MAX_PROBLEMS {
+        let message = format!("the coefficients add up to {}", Number(rounded(sum)));
+        let label = format!("{names} should be 1");
+        self.warn(Problem::warning(start..self.last.end, message, label));
+    }
+
+    fn warn(&mut self, warning: Problem) {
+        if self.warnings.len() < MAX_PROBLEMS {
+            self.warnings.push(warning);
+        } else {
             self.unshown_warnings += 1;
-            return;
         }
-        let rounded = (sum * 1e6).round() / 1e6;
-        let message = format!("the coefficients add up to {rounded}");
-        self.warnings.push(Problem::warning(start..self.last.end, message, format!("{names} should be 1")));
     }
 
     fn finished_warnings(mut self) -> Vec<Problem> {
         if let Some(last) = self.warnings.last_mut().filter(|_| self.unshown_warnings > 0) {
-            last.note = Some(format!("{} more such warnings are not shown", self.unshown_warnings));
+            last.note = Some(format!("{} more warnings are not shown", self.unshown_warnings));
         }
         self.warnings
+    }
+
+    fn line(&self, byte: usize) -> usize {
+        self.text[..byte].matches('\n').count() + 1
     }
 
     fn fail(&mut self, span: Span<usize>, message: String, label: impl Into<String>) -> Result<(), Stop> {
         self.note(Problem::error(span, message, label))
     }
 
+    /// An error that a wrong count, or an item with a number too many or too few, may be behind.
+    fn fail_count(
+        &mut self,
+        span: Span<usize>,
+        message: String,
+        label: impl Into<String>,
+    ) -> Result<(), Stop> {
+        let note = self.announced.clone();
+        self.note(Problem { note, ..Problem::error(span, message, label) })
+    }
+
     fn note(&mut self, problem: Problem) -> Result<(), Stop> {
-        self.problems.push(problem);
         if self.problems.len() < MAX_PROBLEMS {
+            self.problems.push(problem);
             return Ok(());
         }
         if let Some(last) = self.problems.last_mut() {
@@ -308,4 +349,24 @@ impl<'a> Parser<'a> {
         }
         Err(Stop::Lost)
     }
+}
+
+/// A word that is no value, or not an allowed one.
+fn not_allowed(word: Word<'_>, what: &str, allowed: &str) -> Problem {
+    let found = quoted(word.text);
+    let message = if is_number(word.text) {
+        format!("{what} is {found}")
+    } else {
+        format!("found {found} where {what} should be")
+    };
+    Problem::error(word.span(), message, format!("must be {allowed}"))
+}
+
+fn is_number(word: &str) -> bool {
+    word.parse::<f64>().is_ok_and(f64::is_finite)
+}
+
+/// A computed number without the digits that computing it in binary added.
+fn rounded(number: f64) -> f64 {
+    if number.abs() < 1e-4 { number } else { (number * 1e6).round() / 1e6 }
 }

@@ -5,6 +5,7 @@ use core::ops::Range;
 use codespan_reporting::diagnostic::{Diagnostic, Label};
 use codespan_reporting::files::{Error, Files};
 use codespan_reporting::term::{self, Chars, Config};
+use unicode_width::UnicodeWidthChar;
 
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,11 +40,6 @@ impl Problem {
     /// A warning.
     pub(super) fn warning(span: Range<usize>, message: String, label: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, span, message, label: label.into(), note: None }
-    }
-
-    /// The same with a line below.
-    pub(super) fn with_note(self, note: impl Into<String>) -> Self {
-        Self { note: Some(note.into()), ..self }
     }
 
     /// The problem with file, line and column, the line quoted and marked.
@@ -85,9 +81,12 @@ impl<'a> Excerpt<'a> {
         let line_end = text[span.start..].find('\n').map_or(text.len(), |length| span.start + length);
         let from = text.ceil_char_boundary(line_start.max(span.start.saturating_sub(QUOTED)));
         let to = text.floor_char_boundary(line_end.min(span.start + QUOTED)).max(span.start);
-        let left = printable(&text[from..span.start]);
-        let middle = printable(&text[span.start..span.end.clamp(span.start, to)]);
-        let right = printable(&text[span.end.clamp(span.start, to)..to]);
+        let marked_end = span.end.clamp(span.start, to);
+        let left_cut = if from > line_start { "... " } else { "" };
+        let right_cut = if to < line_end { " ..." } else { "" };
+        let left = left_cut.to_owned() + &printable(&text[from..span.start]);
+        let middle = printable(&text[span.start..marked_end]);
+        let right = printable(&text[marked_end..to]) + right_cut;
         Self {
             name,
             marked: left.len()..left.len() + middle.len(),
@@ -98,11 +97,12 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-/// A text in which every character has a width: what would move the cursor or colour the terminal is replaced.
+/// A text in which every character takes its place in the line: what would move the cursor, turn the direction of
+/// writing, colour the terminal or not show at all is replaced.
 fn printable(text: &str) -> String {
     let visible = |c: char| match c {
         '\t' | '\r' => ' ',
-        c if c.is_control() => char::REPLACEMENT_CHARACTER,
+        c if c.width().unwrap_or(0) == 0 => char::REPLACEMENT_CHARACTER,
         c => c,
     };
     text.chars().map(visible).collect()

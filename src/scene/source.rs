@@ -83,7 +83,7 @@ impl Source {
             }
             Err(problems) => {
                 let shown: Vec<String> = problems.iter().map(|problem| self.show(problem)).collect();
-                Err(SceneError::Malformed(shown.join("\n")))
+                Err(SceneError::Malformed(shown.join("\n\n")))
             }
         }
     }
