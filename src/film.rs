@@ -11,10 +11,9 @@ impl Film {
     /// A black film of `side` by `side` pixels; `None` if there is no memory for it.
     pub fn new(side: u32) -> Option<Self> {
         let count = usize::try_from(u64::from(side) * u64::from(side)).ok()?;
-        let mut pixels = Vec::new();
-        pixels.try_reserve_exact(count).ok()?;
-        pixels.resize(count, [0.0; 3]);
-        Some(Self { side, pixels })
+        // Tried first, because `vec!` would abort; `vec!` then, because its zeroes cost nothing until used.
+        Vec::<[f64; 3]>::new().try_reserve_exact(count).ok()?;
+        Some(Self { side, pixels: vec![[0.0; 3]; count] })
     }
 
     /// Pixels along each side.

@@ -1,6 +1,7 @@
 //! Image files in and out.
 
-use std::io::Cursor;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::{Path, PathBuf};
 
 use image::{DynamicImage, ImageFormat, ImageReader, Limits, RgbImage};
@@ -31,6 +32,9 @@ pub enum ImageFileError {
     /// The texture is no file.
     #[error("cannot read texture {0}: not a regular file")]
     NotAFile(PathBuf),
+    /// The texture's content is in no known format.
+    #[error("cannot read texture {0}: neither BMP nor PNG")]
+    Format(PathBuf),
     /// The texture is empty.
     #[error("cannot read texture {0}: it has no texel")]
     Empty(PathBuf),
@@ -67,8 +71,14 @@ pub fn load_texture(path: &Path) -> Result<Texture, ImageFileError> {
     if !metadata.is_file() {
         return Err(ImageFileError::NotAFile(path.to_owned()));
     }
-    let reader = ImageReader::open(path).and_then(ImageReader::with_guessed_format);
-    let image = decode(reader.map_err(|error| unreadable(error.into()))?).map_err(unreadable)?;
+    // By content alone: `ImageReader::open` would go by the ending where the content says nothing.
+    let reader =
+        File::open(path).and_then(|file| ImageReader::new(BufReader::new(file)).with_guessed_format());
+    let reader = reader.map_err(|error| unreadable(error.into()))?;
+    if reader.format().is_none() {
+        return Err(ImageFileError::Format(path.to_owned()));
+    }
+    let image = decode(reader).map_err(unreadable)?;
     texture(&image).ok_or_else(|| ImageFileError::Empty(path.to_owned()))
 }
 
@@ -78,7 +88,7 @@ pub fn decode_texture(bytes: &[u8]) -> Option<Texture> {
     texture(&decode(reader).ok()?)
 }
 
-fn decode<R: std::io::BufRead + std::io::Seek>(mut reader: ImageReader<R>) -> image::ImageResult<RgbImage> {
+fn decode<R: BufRead + Seek>(mut reader: ImageReader<R>) -> image::ImageResult<RgbImage> {
     let mut limits = Limits::default();
     limits.max_image_width = Some(MAX_TEXTURE_SIDE);
     limits.max_image_height = Some(MAX_TEXTURE_SIDE);

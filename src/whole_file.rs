@@ -1,6 +1,6 @@
 //! Files that appear whole or not at all.
 
-use std::fs::{self, Permissions};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -15,47 +15,52 @@ pub struct WriteError {
     reason: io::Error,
 }
 
-/// Whether a file could be written here: its folder exists and takes files, and the file, if there is one, is
-/// neither a folder nor protected. Asked before work whose result would be lost.
+/// Whether a file could be written here: its folder exists and takes files, and the file, if there is one, is a
+/// regular one and not protected. Asked before work whose result would be lost.
 pub fn check_writable(path: &Path) -> Result<(), WriteError> {
-    refuse_target(path).and_then(|()| temporary(path).map(drop)).map_err(|reason| wrap(path, reason))
+    let check = || temporary(&target(path)?).map(drop);
+    check().map_err(|reason| wrap(path, reason))
 }
 
 /// Writes a file in one step: the bytes go to a temporary file beside it, which takes its name once complete. A
-/// failure leaves whatever was there before.
+/// failure leaves whatever was there before. A link is followed, and a file that is replaced keeps its mode.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let write = || {
-        refuse_target(path)?;
-        let mut file = temporary(path)?;
-        file.write_all(bytes)?;
+        let target = target(path)?;
+        let mut file = temporary(&target)?;
+        if let Ok(replaced) = target.metadata() {
+            file.as_file().set_permissions(replaced.permissions())?;
+        }
+        file.as_file_mut().write_all(bytes)?;
         file.as_file().sync_all()?;
-        file.persist(path)?;
+        file.persist(&target)?;
         Ok(())
     };
     write().map_err(|reason| wrap(path, reason))
 }
 
-fn temporary(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = Builder::new();
-    builder.prefix(".archetrace-");
-    // The umask applies: the file gets the mode that any new file would.
-    #[cfg(unix)]
-    builder.permissions(<Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
-    builder.tempfile_in(folder).map_err(plain)
-}
-
-fn refuse_target(path: &Path) -> io::Result<()> {
+/// What the path stands for, if that is something that can be replaced or made.
+fn target(path: &Path) -> io::Result<PathBuf> {
     match fs::metadata(path) {
-        Ok(target) if target.is_dir() => Err(io::Error::other("is a directory")),
-        Ok(target) if target.permissions().readonly() => Err(io::Error::other("is read-only")),
-        _ => Ok(()),
+        Ok(found) if found.is_dir() => Err(io::Error::other("is a directory")),
+        Ok(found) if !found.is_file() => Err(io::Error::other("not a regular file")),
+        Ok(found) if found.permissions().readonly() => Err(io::Error::other("is read-only")),
+        Ok(_) => fs::canonicalize(path),
+        Err(_) => Ok(path.to_owned()),
     }
 }
 
-/// The operating system's own reason, without the name of a temporary file that nobody asked for.
-fn plain(error: io::Error) -> io::Error {
-    error.raw_os_error().map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error)
+fn temporary(target: &Path) -> io::Result<NamedTempFile> {
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = Builder::new();
+    builder.prefix(".archetrace-");
+    // The umask applies: a new file gets the mode that any new file would.
+    #[cfg(unix)]
+    builder.permissions(<fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
+    // A folder that is none is told best by the system itself. Of a temporary file's failure only the kind is told:
+    // its name is nobody's business.
+    fs::read_dir(folder)?;
+    builder.tempfile_in(folder).map_err(|error| error.kind().into())
 }
 
 fn wrap(path: &Path, reason: io::Error) -> WriteError {

@@ -4,7 +4,8 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::builder::TypedValueParser;
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
 use crate::components::range::{COORDINATE, MAX_LEVEL, MAX_PIXELS};
@@ -76,13 +77,27 @@ pub(super) struct RenderArgs {
 }
 
 const RENDER_HELP: &str = "\
-The camera looks along l = unit(look), with r = unit(look x up) to the right and u = r x l to the top. Where look
-is parallel to up, +y takes the part of up.
+The camera looks along l = unit(look), with r = unit(look x up) to the right and u = r x l to the top. \
+Where look is parallel to up, +y takes the part of up.
 
 Examples:
   archetrace render scenes/official.txt -o official.bmp
   archetrace render scenes/official.txt -o top.png --eye 0,0,200 --look 0,0,-1 --texture
   archetrace render scenes/official.txt -o side.bmp --eye=-150,-50,60 --look 1,0.4,-0.2 --stats side.json";
+
+impl Args {
+    /// The arguments of the process. Ends it with status 2 if they make no sense, with 0 after `--help`.
+    pub(super) fn of_process() -> Self {
+        let args = Self::parse();
+        match &args.command {
+            Command::Render(render) if render.stats.as_ref() == Some(&render.output) => {
+                let message = "--stats and --output must be different files";
+                Self::command().error(ErrorKind::ArgumentConflict, message).exit()
+            }
+            _ => args,
+        }
+    }
+}
 
 /// Validate a scene and print what is in it.
 #[derive(Debug, Parser)]

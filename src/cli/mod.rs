@@ -13,7 +13,6 @@ mod write;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::Parser;
 use thiserror::Error;
 
 use crate::image_file::ImageFileError;
@@ -26,7 +25,7 @@ use args::{Args, Command};
 /// Runs the program on the arguments of the process. Status 0: done; 1: it could not be done, and standard error
 /// says why; 2: the arguments make no sense.
 pub fn run() -> ExitCode {
-    let outcome = match Args::parse().command {
+    let outcome = match Args::of_process().command {
         Command::Render(args) => render::render(&args),
         Command::Check(args) => check::check(&args),
         Command::Write(args) => write::write(&args),

@@ -362,8 +362,9 @@ fn not_allowed(word: Word<'_>, what: &str, allowed: &str) -> Problem {
     Problem::error(word.span(), message, format!("must be {allowed}"))
 }
 
+/// Whether a word is written as a number, be it one too large to hold; `inf` and `nan` are not.
 fn is_number(word: &str) -> bool {
-    word.parse::<f64>().is_ok_and(f64::is_finite)
+    word.parse::<f64>().is_ok() && word.contains(|c: char| c.is_ascii_digit())
 }
 
 /// A computed number without the digits that computing it in binary added.

@@ -99,7 +99,7 @@ impl<'a> Excerpt<'a> {
 
 /// A text in which every character takes its place in the line: what would move the cursor, turn the direction of
 /// writing, colour the terminal or not show at all is replaced.
-fn printable(text: &str) -> String {
+pub(super) fn printable(text: &str) -> String {
     let visible = |c: char| match c {
         '\t' | '\r' => ' ',
         c if c.width().unwrap_or(0) == 0 => char::REPLACEMENT_CHARACTER,
@@ -142,10 +142,8 @@ impl<'a> Files<'a> for Excerpt<'_> {
 /// A word for a message: printable and not too long.
 pub(super) fn quoted(word: &str) -> String {
     const SHOWN: usize = 40;
-    let mut shown = printable(word);
-    if let Some((cut, _)) = shown.char_indices().nth(SHOWN) {
-        shown.truncate(cut);
-        shown.push_str("...");
-    }
-    format!("`{shown}`")
+    let cut = word.char_indices().nth(SHOWN).map(|(cut, _)| cut);
+    let shown = printable(&word[..cut.unwrap_or(word.len())]);
+    let ellipsis = if cut.is_some() { "..." } else { "" };
+    format!("`{shown}{ellipsis}`")
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use super::problem::printable;
 use super::{Description, Problem, parse};
 
 /// Most bytes of a scene file: room for two million objects.
@@ -60,18 +61,23 @@ impl Source {
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         let unreadable = |error| SceneError::Unreadable { path: path.to_owned(), error };
         // Asked before opening: opening a pipe would wait for its writer.
-        if !path.metadata().map_err(unreadable)?.is_file() {
+        let metadata = path.metadata().map_err(unreadable)?;
+        if !metadata.is_file() {
             return Err(SceneError::NotAFile(path.to_owned()));
+        }
+        if metadata.len() > MAX_BYTES {
+            return Err(SceneError::TooLarge(path.to_owned()));
         }
         let mut bytes = Vec::new();
         let file = File::open(path).map_err(unreadable)?;
+        // The file may grow while it is read.
         let length = file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
         if length as u64 > MAX_BYTES {
             return Err(SceneError::TooLarge(path.to_owned()));
         }
         let text = String::from_utf8(bytes)
             .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
-        Ok(Self::new(path.display().to_string(), text))
+        Ok(Self::new(printable(&path.display().to_string()), text))
     }
 
     /// Parses the text. All problems that could be found are in the error.
