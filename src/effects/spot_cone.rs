@@ -1,8 +1,10 @@
 //! The cone of a spotlight.
 
+use core::f64::consts::FRAC_1_SQRT_2;
+
 use crate::geometry::{Real, Vector};
 
-/// A cone around `axis` (unit, away from the light) that lights all directions within its cutoff angle, the angle
+/// A cone around `axis` (of any length, away from the light) that lights all directions within its cutoff angle, the angle
 /// itself included.
 #[derive(Clone, Copy, Debug)]
 pub struct Cone<T> {
@@ -15,14 +17,15 @@ impl<T: Real> Cone<T> {
     /// A cone around a vector that is not zero, with a cutoff of 0 to 180 degrees between axis and side.
     pub fn new(axis: Vector<T>, cutoff_degrees: f64) -> Self {
         let (sine, cosine) = sin_cos_degrees(cutoff_degrees);
-        Self { axis: axis.unit(), sine: T::from_f64(sine), cosine: T::from_f64(cosine) }
+        Self { axis, sine: T::from_f64(sine), cosine: T::from_f64(cosine) }
     }
 
     /// Whether a point lies in the cone, given the vector (of any length) from the light to it.
     ///
     /// `acos` of a dot product is useless for narrow cones and NaN when rounding takes the product above 1. With
     /// the sine from the cross product, `angle <= cutoff` is `sin(angle - cutoff) <= 0`, which takes no inverse
-    /// function at all and is well conditioned everywhere (W. Kahan on angles between vectors).
+    /// function at all and is well conditioned everywhere (W. Kahan on angles between vectors). Neither vector is
+    /// normalised: the product of a vector with itself is then exactly 0, and even cutoff 0 lights its target.
     #[inline(always)]
     pub fn contains(&self, from_light: Vector<T>) -> bool {
         let along = self.axis.dot(from_light);
@@ -32,14 +35,24 @@ impl<T: Real> Cone<T> {
     }
 }
 
-/// Sine and cosine, exact at 0, 90 and 180 degrees.
+/// Sine and cosine of 0 to 180 degrees, exact at multiples of 90 and equal in magnitude at 45 and 135.
 fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
-    let radians = f64::to_radians;
     if degrees <= 45.0 {
-        (libm::sin(radians(degrees)), libm::cos(radians(degrees)))
+        sin_cos_octant(degrees)
     } else if degrees <= 135.0 {
-        (libm::cos(radians(90.0 - degrees)), libm::sin(radians(90.0 - degrees)))
+        let (sine, cosine) = sin_cos_octant((90.0 - degrees).abs());
+        (cosine, sine.copysign(90.0 - degrees))
     } else {
-        (libm::sin(radians(180.0 - degrees)), -libm::cos(radians(180.0 - degrees)))
+        let (sine, cosine) = sin_cos_octant(180.0 - degrees);
+        (sine, -cosine)
     }
+}
+
+/// Sine and cosine of 0 to 45 degrees.
+fn sin_cos_octant(degrees: f64) -> (f64, f64) {
+    if degrees == 45.0 {
+        return (FRAC_1_SQRT_2, FRAC_1_SQRT_2);
+    }
+    let radians = degrees.to_radians();
+    (libm::sin(radians), libm::cos(radians))
 }
