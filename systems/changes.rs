@@ -1,6 +1,10 @@
 //! Run conditions: whether entities of a kind changed, came or went since the last look.
+//!
+//! What is changed or added is told by change ticks. What is gone is told by counts, not by `RemovedComponents`: a
+//! removal is reported for two calls of `World::clear_trackers` only, and a schedule that pauses meanwhile (another
+//! precision, a program of its own rhythm) would never hear of it. A count that is the same although something went
+//! means that something else came, and that is a change.
 
-use bevy_ecs::lifecycle::RemovedComponents;
 use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
@@ -23,81 +27,65 @@ type ObjectChange<S> = Or<(
 type LightChange =
     Or<(Changed<Light>, Changed<Position>, Changed<Falloff>, Changed<SpotCone>, Changed<Order>)>;
 
-#[derive(SystemParam)]
-pub(super) struct ObjectChanges<'w, 's, S: Component> {
-    changed: Query<'w, 's, (), (With<S>, ObjectChange<S>)>,
-    living: Living<'w, 's, S>,
-    matte: (
-        RemovedComponents<'w, 's, Color>,
-        RemovedComponents<'w, 's, Ambient>,
-        RemovedComponents<'w, 's, Diffuse>,
-    ),
-    effects: (
-        RemovedComponents<'w, 's, Gloss>,
-        RemovedComponents<'w, 's, Mirror>,
-        RemovedComponents<'w, 's, Textured>,
-    ),
-    place: (RemovedComponents<'w, 's, Position>, RemovedComponents<'w, 's, Order>),
-}
+/// What an object cannot be traced without.
+type Needed<'w, 's, S> = (
+    Living<'w, 's, S, Position>,
+    Living<'w, 's, S, Color>,
+    Living<'w, 's, S, Ambient>,
+    Living<'w, 's, S, Diffuse>,
+);
 
-#[derive(SystemParam)]
-pub(super) struct LightChanges<'w, 's> {
-    changed: Query<'w, 's, (), (With<Light>, LightChange)>,
-    living: Living<'w, 's, Light>,
-    effects: (RemovedComponents<'w, 's, Falloff>, RemovedComponents<'w, 's, SpotCone>),
-    place: (RemovedComponents<'w, 's, Position>, RemovedComponents<'w, 's, Order>),
-}
-
-/// How many entities have a component. Together with additions, which are changes, this notices every despawn,
-/// even one whose report was cleared in between.
-#[derive(SystemParam)]
-pub(super) struct Living<'w, 's, S: Component> {
-    entities: Query<'w, 's, (), With<S>>,
-    before: Local<'s, usize>,
-    removed: RemovedComponents<'w, 's, S>,
-}
-
-impl<S: Component> Living<'_, '_, S> {
-    fn differ(&mut self) -> bool {
-        let now = self.entities.iter().len();
-        let before = core::mem::replace(&mut *self.before, now);
-        drain(&mut self.removed) | (now != before)
-    }
-}
-
-/// Whether the table of objects with shape `S` is out of date. Every report is read to its end, so that none
-/// counts twice: hence `|`, not `||`.
-pub(super) fn objects_changed<S: Component>(mut changes: ObjectChanges<S>) -> bool {
-    let (color, ambient, diffuse) = &mut changes.matte;
-    let (gloss, mirror, textured) = &mut changes.effects;
-    let (position, order) = &mut changes.place;
-    !changes.changed.is_empty()
-        | changes.living.differ()
-        | drain(color)
-        | drain(ambient)
-        | drain(diffuse)
-        | drain(gloss)
-        | drain(mirror)
-        | drain(textured)
-        | drain(position)
-        | drain(order)
+/// Whether the table of objects with shape `S` is out of date. Every count is taken, so that none is compared with
+/// one from longer ago: hence `|`, not `||`.
+pub(super) fn objects_changed<S: Component>(
+    changed: Query<(), (With<S>, ObjectChange<S>)>,
+    mut objects: Living<S, S>,
+    mut needed: Needed<S>,
+    mut effects: (Living<S, Gloss>, Living<S, Mirror>, Living<S, Textured>),
+    mut orders: Living<S, Order>,
+) -> bool {
+    let (positions, colors, ambients, diffuses) = &mut needed;
+    let (gloss, mirrors, textures) = &mut effects;
+    !changed.is_empty()
+        | objects.differ()
+        | positions.differ()
+        | colors.differ()
+        | ambients.differ()
+        | diffuses.differ()
+        | gloss.differ()
+        | mirrors.differ()
+        | textures.differ()
+        | orders.differ()
 }
 
 /// Whether the light table is out of date.
-pub(super) fn lights_changed(mut changes: LightChanges) -> bool {
-    let (falloff, cone) = &mut changes.effects;
-    let (position, order) = &mut changes.place;
-    !changes.changed.is_empty()
-        | changes.living.differ()
-        | drain(falloff)
-        | drain(cone)
-        | drain(position)
-        | drain(order)
+pub(super) fn lights_changed(
+    changed: Query<(), (With<Light>, LightChange)>,
+    mut lights: Living<Light, Light>,
+    mut positions: Living<Light, Position>,
+    mut effects: (Living<Light, Falloff>, Living<Light, SpotCone>),
+    mut orders: Living<Light, Order>,
+) -> bool {
+    let (falloffs, cones) = &mut effects;
+    !changed.is_empty()
+        | lights.differ()
+        | positions.differ()
+        | falloffs.differ()
+        | cones.differ()
+        | orders.differ()
 }
 
-/// Reads all reports of a removed component; whether there were any.
-fn drain<C: Component>(removed: &mut RemovedComponents<C>) -> bool {
-    let any = !removed.is_empty();
-    removed.clear();
-    any
+/// How many entities of a kind have a component.
+#[derive(SystemParam)]
+pub(super) struct Living<'w, 's, S: Component, C: Component> {
+    entities: Query<'w, 's, (), (With<S>, With<C>)>,
+    before: Local<'s, usize>,
+}
+
+impl<S: Component, C: Component> Living<'_, '_, S, C> {
+    /// Whether there are more or fewer than at the last look. Costs one step an archetype.
+    fn differ(&mut self) -> bool {
+        let now = self.entities.iter().len();
+        core::mem::replace(&mut *self.before, now) != now
+    }
 }

@@ -2,9 +2,9 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::range::{FIELD_OF_VIEW, MAX_LEVEL, MAX_PIXELS, RATIO};
+use crate::components::range::{FIELD_OF_VIEW, LENGTH, MAX_LEVEL, MAX_PIXELS, RATIO};
 use crate::components::{CameraPose, Lens, Snapshot};
-use crate::geometry::Real;
+use crate::geometry::{Real, is_camera_basis};
 use crate::trace::CameraRays;
 
 use super::Tables;
@@ -42,11 +42,14 @@ fn check_snapshot(snapshot: &Snapshot, checks: &mut Checks) {
 
 fn check_camera<T: Real>(entity: Entity, pose: &CameraPose, lens: &Lens, checks: &mut Checks) {
     checks.point::<T>(entity, "CameraPose.position", pose.position);
-    if ![pose.l, pose.r, pose.u].iter().all(|axis| axis.is_normalized()) {
+    if !is_camera_basis([pose.l, pose.r, pose.u]) {
         checks.problems.push(WorldProblem::NoBasis { entity });
     }
     checks.length::<T>(entity, "Lens.near", lens.near);
-    checks.value(entity, "Lens.far", lens.far, &crate::components::range::LENGTH);
+    checks.value(entity, "Lens.far", lens.far, &LENGTH);
+    if lens.far <= lens.near {
+        checks.problems.push(WorldProblem::Planes { entity, near: lens.near, far: lens.far });
+    }
     checks.value(entity, "Lens.fovy", lens.fovy, &FIELD_OF_VIEW);
     checks.value(entity, "Lens.aspect", lens.aspect, &RATIO);
     checks.value(entity, "Lens.fovy * aspect", lens.fovx(), &FIELD_OF_VIEW);

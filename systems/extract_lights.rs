@@ -23,10 +23,17 @@ type Lights<'w, 's> = Query<
 
 /// Rebuilds the light table, rows sorted by scene order and then by value. The order matters: it is the order in
 /// which light is summed, and sums round.
-pub(super) fn extract_lights<T: Real>(lights: Lights, mut tables: ResMut<Tables<T>>) {
+pub(super) fn extract_lights<T: Real>(
+    lights: Lights,
+    incomplete: Query<Entity, (With<Light>, Without<Position>)>,
+    mut tables: ResMut<Tables<T>>,
+) {
     let mut sources = gather(&lights);
     sources.sort_by(Source::compare);
     let mut checks = Checks::default();
+    let (kind, needs) = ("Light", "Position");
+    let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind, needs });
+    checks.problems.extend(missing);
     let mut table = LightTable::default();
     for source in &sources {
         source.check::<T>(&mut checks);
@@ -81,20 +88,28 @@ impl Source {
         if let Some(cone) = self.cone {
             checks.point::<T>(entity, "SpotCone.target", cone.target);
             checks.value(entity, "SpotCone.cutoff", cone.cutoff, &CUTOFF);
-            if cone.target == self.position {
-                checks.problems.push(WorldProblem::NoDirection { entity });
+            if axis::<T>(self.position, &cone) == Vector::default() {
+                checks.problems.push(WorldProblem::NoDirection { entity, precision: T::NAME });
             }
         }
     }
 
     /// The row, without effects that would take nothing away.
     fn row<T: Real>(&self) -> LightRow<T> {
-        let position = Vector::from_dvec3(self.position);
         let narrowing = self.cone.filter(|cone| cone.cutoff < 180.0);
         LightRow {
-            position,
-            falloff: self.falloff.filter(|falloff| falloff.0 != 0.0).map(|falloff| T::from_f64(falloff.0)),
-            cone: narrowing.map(|cone| Cone::new(Vector::from_dvec3(cone.target) - position, cone.cutoff)),
+            position: Vector::from_dvec3(self.position),
+            // Beyond the largest number, falloff times a distance of 0 would be NaN.
+            falloff: self
+                .falloff
+                .filter(|falloff| falloff.0 != 0.0)
+                .map(|f| T::from_f64(f.0).at_most(T::MAX)),
+            cone: narrowing.map(|cone| Cone::new(axis(self.position, &cone), cone.cutoff)),
         }
     }
+}
+
+/// From the light to the point that its cone's axis runs through.
+fn axis<T: Real>(position: DVec3, cone: &SpotCone) -> Vector<T> {
+    Vector::from_dvec3(cone.target) - Vector::from_dvec3(position)
 }

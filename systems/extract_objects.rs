@@ -28,8 +28,8 @@ pub(super) trait ExtractShape<T: Real>: Component + Copy {
 
     /// Its table among all.
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns>;
-    /// Its lengths, with names for messages; unused places repeat another.
-    fn lengths(&self) -> [(&'static str, f64); 2];
+    /// Its one or two lengths, with names for messages.
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2];
     /// Adds a row for this shape.
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>);
 }
@@ -59,7 +59,8 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     rows.sort_by(ObjectRow::compare::<T>);
 
     let mut checks = Checks::default();
-    let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, shape: S::NAME });
+    let needs = "Position, Color, Ambient and Diffuse";
+    let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind: S::NAME, needs });
     checks.problems.extend(missing);
     let table = S::table(&mut tables.scene);
     *table = ShapeTable::default();
@@ -128,7 +129,7 @@ impl<S> ObjectRow<S> {
     where
         S: ExtractShape<T>,
     {
-        let [(_, size), (_, second_size)] = self.shape.lengths();
+        let [size, second_size] = self.shape.lengths().map(|length| length.map_or(0.0, |(_, length)| length));
         let gloss = self.gloss.unwrap_or(Gloss { specular: 0.0, shininess: 0.0 });
         let mirror = self.mirror.map_or(0.0, |mirror| mirror.0);
         let (p, c) = (self.position, self.color);
@@ -143,7 +144,7 @@ impl<S> ObjectRow<S> {
     {
         let entity = self.entity;
         checks.point::<T>(entity, "Position", self.position);
-        for (name, length) in self.shape.lengths() {
+        for (name, length) in self.shape.lengths().into_iter().flatten() {
             checks.length::<T>(entity, name, length);
         }
         for component in self.color.to_array() {
@@ -185,8 +186,8 @@ impl<T: Real> ExtractShape<T> for Sphere {
         &mut scene.spheres
     }
 
-    fn lengths(&self) -> [(&'static str, f64); 2] {
-        [("Sphere.radius", self.radius); 2]
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Sphere.radius", self.radius)), None]
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
@@ -203,8 +204,8 @@ impl<T: Real> ExtractShape<T> for Cube {
         &mut scene.cubes
     }
 
-    fn lengths(&self) -> [(&'static str, f64); 2] {
-        [("Cube.side", self.side); 2]
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Cube.side", self.side)), None]
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
@@ -220,8 +221,8 @@ impl<T: Real> ExtractShape<T> for Pyramid {
         &mut scene.pyramids
     }
 
-    fn lengths(&self) -> [(&'static str, f64); 2] {
-        [("Pyramid.width", self.width), ("Pyramid.height", self.height)]
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Pyramid.width", self.width)), Some(("Pyramid.height", self.height))]
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
@@ -237,8 +238,8 @@ impl<T: Real> ExtractShape<T> for Checkerboard {
         &mut scene.boards
     }
 
-    fn lengths(&self) -> [(&'static str, f64); 2] {
-        [("Checkerboard.cell", self.cell); 2]
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Checkerboard.cell", self.cell)), None]
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {

@@ -5,7 +5,7 @@
 //!                  extract_lights   only if lights changed, came or went
 //!                  extract_camera   always: two tangents
 //! Stage::Trace     trace            tables and camera to film, tiles in parallel
-//! (last)           end_frame        forgets removals that everyone has seen
+//! (last)           end_frame        lets the World forget reports of removals
 //! ```
 //!
 //! Extraction comes before tracing because a frame is traced from tables alone: nothing can change under its
@@ -97,7 +97,7 @@ fn add_trace<T: Real>(schedule: &mut Schedule) {
     schedule.add_systems(trace::<T>.in_set(Stage::Trace));
 }
 
-/// Lets the World forget removals that two frames have seen; without it they would pile up.
+/// Lets the World forget what its entities lost; without it the reports, which no system here reads, would pile up.
 fn end_frame(world: &mut World) {
     world.clear_trackers();
 }

@@ -38,27 +38,41 @@ pub enum WorldProblem {
         /// Its largest length.
         limit: f64,
     },
-    /// An object that had a component taken away that it cannot be traced without.
-    #[error(
-        "entity {entity}: a {shape} needs Position, Color, Ambient and Diffuse, and one of them was removed"
-    )]
+    /// An object or light that had a component taken away that it cannot be traced without.
+    #[error("entity {entity}: a {kind} needs {needs}, and not all of that is there")]
     Incomplete {
         /// The entity.
         entity: Entity,
-        /// Its shape.
-        shape: &'static str,
+        /// Its shape, or `Light`.
+        kind: &'static str,
+        /// Components that it needs.
+        needs: &'static str,
     },
     /// A spotlight that points nowhere.
-    #[error("entity {entity}: SpotCone.target is the light's own position, so the cone has no direction")]
+    #[error(
+        "entity {entity}: SpotCone.target is, in {precision}, the light's own position: the cone has no direction"
+    )]
     NoDirection {
         /// The entity.
         entity: Entity,
+        /// The precision asked for.
+        precision: &'static str,
     },
     /// A camera that is no basis.
-    #[error("entity {entity}: CameraPose l, r and u must be unit vectors")]
+    #[error("entity {entity}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l")]
     NoBasis {
         /// The entity.
         entity: Entity,
+    },
+    /// Clipping planes in the wrong order.
+    #[error("entity {entity}: Lens.far is {far}, but must be greater than Lens.near, {near}")]
+    Planes {
+        /// The entity.
+        entity: Entity,
+        /// Distance of the near plane.
+        near: f64,
+        /// Distance of the far plane.
+        far: f64,
     },
     /// No camera, or more than one.
     #[error("the World must have one camera (an entity with CameraPose and Lens), but has {found}")]

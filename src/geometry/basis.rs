@@ -13,6 +13,13 @@ pub fn basis_looking(look: DVec3, up: DVec3) -> Option<[DVec3; 3]> {
     Some([l, r, r.cross(l)])
 }
 
+/// Whether `[l, r, u]` are unit vectors at right angles with `u = r x l`, up to what many turns may round away.
+pub fn is_camera_basis([l, r, u]: [DVec3; 3]) -> bool {
+    const SLACK: f64 = 1e-6;
+    let unit = [l, r].iter().all(|axis| (axis.length() - 1.0).abs() <= SLACK);
+    unit && l.dot(r).abs() <= SLACK && u.distance(r.cross(l)) <= SLACK
+}
+
 /// The unit vector along `v`, found without overflow or underflow.
 fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();

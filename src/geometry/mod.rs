@@ -18,7 +18,7 @@ mod real;
 mod sphere;
 mod vector;
 
-pub use basis::basis_looking;
+pub use basis::{basis_looking, is_camera_basis};
 pub use compensated::{two_diff, two_prod, two_sum};
 pub use cube::CubeShape;
 pub use plane::PlaneShape;

@@ -32,8 +32,10 @@ pub trait Real:
     const ONE: Self;
     /// 2.
     const TWO: Self;
-    /// The largest value, above every finite one.
+    /// Above every finite number.
     const INFINITY: Self;
+    /// The largest finite number.
+    const MAX: Self;
     /// `2^ceil(p/2) + 1` for a significand of `p` bits: splits a number into two halves (Dekker 1971).
     const SPLITTER: Self;
     /// Largest length or coordinate, and the inverse of the smallest length, for which no kernel overflows or
@@ -83,6 +85,7 @@ macro_rules! real {
             const ONE: Self = 1.0;
             const TWO: Self = 2.0;
             const INFINITY: Self = $float::INFINITY;
+            const MAX: Self = $float::MAX;
             const SPLITTER: Self = $splitter;
             const LENGTH_LIMIT: f64 = $limit;
             const NAME: &'static str = stringify!($float);

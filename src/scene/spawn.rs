@@ -90,6 +90,9 @@ pub enum DescribeError {
     /// The file's checkerboard is at the origin, white and without gloss.
     #[error("entity {0}: a scene file cannot move, tint or polish its checkerboard")]
     Board(Entity),
+    /// An object or light lacks something that a file says of each.
+    #[error("entity {0}: an object needs Position, Color, Ambient and Diffuse, a light needs Position")]
+    Incomplete(Entity),
     /// An entity is one object.
     #[error("entity {0}: a scene file cannot give one object two shapes")]
     Shapes(Entity),
@@ -101,12 +104,22 @@ pub enum DescribeError {
 /// Spawned again, it gives the same World if it came from a file: gloss without a specular part, a mirror that
 /// reflects nothing and a falloff of 0 are not kept.
 pub fn describe(world: &mut World) -> Result<Description, DescribeError> {
+    refuse_incomplete(world)?;
     let Lens { near, far, fovy, aspect } = describe_lens(world)?;
     let Snapshot { pixels, level } = world.get_resource::<Snapshot>().copied().unwrap_or_default();
     let board = describe_board(world)?;
     let objects = describe_objects(world)?;
     let (lights, spots) = describe_lights(world);
     Ok(Description { near, far, fovy, aspect, level, pixels, board, objects, lights, spots })
+}
+
+fn refuse_incomplete(world: &mut World) -> Result<(), DescribeError> {
+    type IsDescribed = Or<(With<Sphere>, With<Cube>, With<Pyramid>, With<Checkerboard>)>;
+    type Lacking = Or<(Without<Position>, Without<Color>, Without<Ambient>, Without<Diffuse>)>;
+    let mut objects = world.query_filtered::<Entity, (IsDescribed, Lacking)>();
+    let mut lights = world.query_filtered::<Entity, (With<Light>, Without<Position>)>();
+    let lacking = objects.iter(world).chain(lights.iter(world)).next();
+    lacking.map_or(Ok(()), |entity| Err(DescribeError::Incomplete(entity)))
 }
 
 fn describe_lens(world: &mut World) -> Result<Lens, DescribeError> {
@@ -178,10 +191,11 @@ fn describe_lights(world: &mut World) -> (Vec<LightDescription>, Vec<SpotDescrip
 type LightParts =
     (Entity, Option<&'static Order>, &'static Position, Option<&'static Falloff>, Option<&'static SpotCone>);
 
-type Place = (u32, Entity);
+/// Scene order, then age: an entity's own ordering says nothing about which was spawned first.
+type Place = (u32, u32);
 
 fn place(order: Option<&Order>, entity: Entity) -> Place {
-    (order.map_or(u32::MAX, |order| order.0), entity)
+    (order.map_or(u32::MAX, |order| order.0), entity.index_u32())
 }
 
 fn in_order<I>(mut items: Vec<(Place, I)>) -> Vec<I> {

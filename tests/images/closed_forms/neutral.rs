@@ -1,0 +1,105 @@
+//! Effects set to do nothing: the picture is that without them, bit for bit.
+
+use archetrace::components::{Falloff, Gloss, Light, Mirror, Snapshot, SpotCone};
+use archetrace::geometry::Real;
+use bevy_ecs::prelude::*;
+use glam::DVec3;
+
+use crate::support::parts::scene_entities;
+use crate::support::picture::assert_same;
+use crate::support::scenes::full_case;
+use crate::support::tracing::trace;
+
+/// The full scene, with something done to every entity of it.
+fn scene(change: impl Fn(&mut EntityWorldMut<'_>)) -> World {
+    let mut world = full_case().world();
+    for entity in scene_entities(&mut world) {
+        change(&mut world.entity_mut(entity));
+    }
+    world
+}
+
+fn remove<C: Component>(entity: &mut EntityWorldMut<'_>) {
+    entity.remove::<C>();
+}
+
+fn insert_no_mirror(entity: &mut EntityWorldMut<'_>) {
+    entity.insert(Mirror(0.0));
+}
+
+fn assert_neutral<T: Real>(
+    name: &str,
+    without: impl Fn(&mut EntityWorldMut<'_>),
+    neutral: impl Fn(&mut EntityWorldMut<'_>),
+) {
+    let (without, neutral) = (trace::<T>(&mut scene(without)), trace::<T>(&mut scene(neutral)));
+    let name = format!("{} {name}", T::NAME);
+    assert_same(&name, &without.picture, &neutral.picture);
+    assert_eq!(without.counts, neutral.counts, "{name}");
+    assert_ne!(
+        without.picture,
+        trace::<T>(&mut full_case().world()).picture,
+        "{name}: the scene has none to take away"
+    );
+}
+
+fn check<T: Real>() {
+    assert_neutral::<T>("mirror of 0", remove::<Mirror>, |entity| {
+        if entity.contains::<Mirror>() {
+            entity.insert(Mirror(0.0));
+        }
+    });
+    assert_neutral::<T>("gloss of 0", remove::<Gloss>, |entity| {
+        if let Some(gloss) = entity.get::<Gloss>().copied() {
+            entity.insert(Gloss { specular: 0.0, ..gloss });
+        }
+    });
+    assert_neutral::<T>("falloff of 0", remove::<Falloff>, |entity| {
+        if entity.contains::<Light>() {
+            entity.insert(Falloff(0.0));
+        }
+    });
+    let everywhere = SpotCone { target: DVec3::new(1.0, 2.0, 3.0), cutoff: 180.0 };
+    assert_neutral::<T>("cutoff of 180", remove::<SpotCone>, |entity| {
+        if entity.contains::<Light>() {
+            entity.insert(everywhere);
+        }
+    });
+}
+
+#[test]
+fn an_effect_of_0_is_as_good_as_none() {
+    check::<f64>();
+    check::<f32>();
+}
+
+#[test]
+fn without_mirrors_the_level_does_not_show() {
+    let picture = |level: u32| {
+        let mut world = scene(insert_no_mirror);
+        world.resource_mut::<Snapshot>().level = level;
+        trace::<f64>(&mut world)
+    };
+    let usual = picture(1);
+    for level in [2, 5, 1000] {
+        let other = picture(level);
+        assert_same(&format!("level {level}"), &usual.picture, &other.picture);
+        assert_eq!(usual.counts, other.counts);
+    }
+}
+
+#[test]
+fn with_mirrors_the_level_shows() {
+    let picture = |level: u32| {
+        let mut world = full_case().world();
+        world.resource_mut::<Snapshot>().level = level;
+        trace::<f64>(&mut world).picture
+    };
+    let pictures: Vec<_> = (0..5).map(picture).collect();
+    for pair in pictures.windows(2) {
+        assert_ne!(pair[0], pair[1]);
+        // Every level adds light.
+        let channels = |index: usize| pair[index].pixels.iter().flatten();
+        assert!(channels(0).zip(channels(1)).all(|(less, more)| less <= more));
+    }
+}

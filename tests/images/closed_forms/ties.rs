@@ -1,0 +1,109 @@
+//! Surfaces in the same place: one shows everywhere, and it is said which.
+
+use archetrace::components::{Checkerboard, Color, Cube, Order, Position, Pyramid, Sphere};
+use archetrace::geometry::Real;
+use bevy_ecs::prelude::*;
+use glam::DVec3;
+
+use super::{View, white};
+use crate::support::picture::{Picture, assert_same};
+use crate::support::tracing::trace;
+
+fn red() -> (Color, archetrace::components::Ambient) {
+    (Color::new(1.0, 0.0, 0.0), archetrace::components::Ambient(1.0))
+}
+
+fn slanting_view(z: f64) -> View {
+    let position = DVec3::new(1.37, -5.11, z);
+    View { position, look: DVec3::new(0.13, 0.21, 0.0) - position, pixels: 96, ..View::one_ray() }
+}
+
+/// A cube of side 4 over or under the ground, in the plane of the board, and the board.
+fn cube_and_board<T: Real>(view: &View, z: f64, orders: [Option<u32>; 2]) -> Picture {
+    let mut world = view.world();
+    let cube = (Cube { side: 4.0 }, Position::new(-2.0, -2.0, z), red());
+    let board = (Checkerboard { cell: 0.7 }, white(1.0, 0.0));
+    let entities = [world.spawn(cube).id(), world.spawn(board).id()];
+    for (entity, order) in entities.into_iter().zip(orders) {
+        if let Some(order) = order {
+            world.entity_mut(entity).insert(Order(order));
+        }
+    }
+    trace::<T>(&mut world).picture
+}
+
+/// Checks every pixel whose ground point is clearly within the cube's square, and returns their number.
+fn assert_square<T: Real>(view: &View, z: f64, orders: [Option<u32>; 2], cube_shows: bool) -> usize {
+    let picture = cube_and_board::<T>(view, z, orders);
+    let mut within = 0;
+    for row in 0..view.pixels {
+        for column in 0..view.pixels {
+            let Some(place) = view.on_ground(column, row) else {
+                continue;
+            };
+            if place.abs().max_element() < 2.0 - 1e-4 {
+                within += 1;
+                let [r, g, b] = picture.at(column as usize, row as usize);
+                let is_red = [r, g, b] == [1.0, 0.0, 0.0];
+                assert_eq!(is_red, cube_shows, "column {column}, row {row}");
+            }
+        }
+    }
+    within
+}
+
+#[test]
+fn a_cube_in_the_plane_of_the_board_shows_without_speckle() {
+    fn check<T: Real>() {
+        for (eye, bottom) in [(6.31, -4.0), (-6.31, 0.0)] {
+            let view = slanting_view(eye);
+            for orders in [[Some(0), Some(1)], [None, None], [Some(7), None], [Some(3), Some(3)]] {
+                assert!(assert_square::<T>(&view, bottom, orders, true) > 1000);
+            }
+            for orders in [[Some(1), Some(0)], [None, Some(0)]] {
+                assert!(assert_square::<T>(&view, bottom, orders, false) > 1000);
+            }
+        }
+    }
+    check::<f64>();
+    check::<f32>();
+}
+
+#[test]
+fn of_twins_the_one_of_lower_order_shows_everywhere() {
+    fn check<T: Real, B: Bundle + Clone>(shape: &B) {
+        let picture = |colors: &[(u32, Color)]| {
+            let mut world = slanting_view(6.31).world();
+            for (order, color) in colors {
+                world.spawn((shape.clone(), white(1.0, 0.0), Order(*order))).insert(*color);
+            }
+            trace::<T>(&mut world).picture
+        };
+        let (red, green) = (Color::new(1.0, 0.0, 0.0), Color::new(0.0, 1.0, 0.0));
+        let alone = picture(&[(0, green)]);
+        assert!(alone.pixels.iter().filter(|pixel| pixel[1] == 1.0).count() > 500);
+        assert_same("twins", &alone, &picture(&[(5, red), (3, green)]));
+        assert_same("twins", &alone, &picture(&[(3, green), (5, red)]));
+    }
+    fn check_all<T: Real>() {
+        check::<T, _>(&Sphere { radius: 2.0 });
+        check::<T, _>(&(Cube { side: 2.3 }, Position::new(-1.0, -1.0, 0.0)));
+        let pyramid = Pyramid { width: 3.1, height: 2.9 };
+        check::<T, _>(&(pyramid, Position::new(-1.0, -1.0, 0.0)));
+        check::<T, _>(&Checkerboard { cell: 0.7 });
+    }
+    check_all::<f64>();
+    check_all::<f32>();
+}
+
+#[test]
+fn of_touching_cubes_the_one_of_lower_order_shows_on_the_common_edge() {
+    // The ray runs in the plane of the common face, x = 0, and meets the edge of both.
+    for (left, right, expected) in [(0, 1, [1.0, 0.0, 0.0]), (1, 0, [0.0, 1.0, 0.0])] {
+        let mut world = View::one_ray().world();
+        let side = |x: f64| (Cube { side: 2.0 }, Position::new(x, 0.0, -1.0));
+        world.spawn((side(-2.0), red(), Order(left)));
+        world.spawn((side(0.0), red(), Order(right))).insert(Color::new(0.0, 1.0, 0.0));
+        assert_eq!(trace::<f64>(&mut world).picture.middle(), expected);
+    }
+}

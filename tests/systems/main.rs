@@ -1,0 +1,17 @@
+//! From a World to its tables and pictures: what is extracted, when, and what is refused.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "a test fails by panicking, and counts pixels in floating point"
+)]
+
+mod describe;
+mod extraction;
+mod frames;
+mod problems;
+#[path = "../support/mod.rs"]
+mod support;
