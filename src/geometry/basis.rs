@@ -33,5 +33,10 @@ fn unit(v: DVec3) -> Option<DVec3> {
 /// The unit vector perpendicular to two unit vectors, unless rounding is all that keeps them apart.
 fn across(l: DVec3, up: DVec3) -> Option<DVec3> {
     let cross = l.cross(up);
-    (cross.length() > 4.0 * f64::EPSILON).then(|| cross / cross.length())
+    if cross.length() <= 4.0 * f64::EPSILON {
+        return None;
+    }
+    // Between nearly parallel vectors the product is short, and its rounding leans towards `l`.
+    let perpendicular = cross - l * cross.dot(l);
+    Some(perpendicular / perpendicular.length())
 }
