@@ -6,33 +6,14 @@ use bevy_ecs::prelude::*;
 use glam::DVec3;
 
 use crate::components::range::{COEFFICIENT, COLOR, SHININESS};
-use crate::components::{
-    Ambient, Checkerboard, Color, Cube, Diffuse, Gloss, Mirror, Order, Position, Pyramid, Sphere, Textured,
-};
+use crate::components::{Ambient, Color, Diffuse, Gloss, Mirror, Order, Position, Textured};
 use crate::effects::Rgb;
-use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
-use crate::trace::{
-    BoardColumns, BoardTexture, CubeColumns, GlossRow, PyramidColumns, SceneTables, ShapeTable,
-    SphereColumns, SurfaceRow,
-};
+use crate::geometry::Real;
+use crate::trace::{GlossRow, ShapeTable, SurfaceRow};
 
 use super::Tables;
 use super::problem::{Checks, WorldProblem};
-
-/// A shape component and the table that its entities go to.
-pub(super) trait ExtractShape<T: Real>: Component + Copy {
-    /// Columns of its table.
-    type Columns: Default;
-    /// Name for messages.
-    const NAME: &'static str;
-
-    /// Its table among all.
-    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns>;
-    /// Its one or two lengths, with names for messages.
-    fn lengths(&self) -> [Option<(&'static str, f64)>; 2];
-    /// Adds a row for this shape.
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>);
-}
+use super::shape_tables::{ExtractShape, Shape};
 
 type Objects<'w, 's, S> = Query<
     'w,
@@ -56,7 +37,7 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     mut tables: ResMut<Tables<T>>,
 ) {
     let mut rows = gather(&objects);
-    rows.sort_by(ObjectRow::compare::<T>);
+    rows.sort_by(ObjectRow::compare);
 
     let mut checks = Checks::default();
     let needs = "Position, Color, Ambient and Diffuse";
@@ -88,9 +69,9 @@ struct ObjectRow<S> {
 }
 
 /// Walks the component tables slice by slice.
-fn gather<S: Component + Copy>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
+fn gather<S: Shape>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
     let mut rows = Vec::with_capacity(objects.iter().len());
-    // All components here live in tables, so the walk cannot fail; a sparse one would show as an empty scene.
+    // Fails only for components with sparse storage, and none of ours has it.
     for slices in objects.contiguous_iter().into_iter().flatten() {
         let (entities, shapes, positions, (colors, ambients, diffuses), orders, effects) = slices;
         let (gloss, mirrors, textures) = effects;
@@ -110,38 +91,29 @@ fn gather<S: Component + Copy>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
     rows
 }
 
-impl<S> ObjectRow<S> {
+impl<S: Shape> ObjectRow<S> {
     /// Scene order first. Rows without one are sorted by value, never by how the World happens to store them:
     /// bevy reorders its tables on despawn and insert, and the picture must not change when it does.
-    fn compare<T: Real>(&self, other: &Self) -> Ordering
-    where
-        S: ExtractShape<T>,
-    {
+    fn compare(&self, other: &Self) -> Ordering {
         let by_value = || {
-            let pairs = self.values::<T>().into_iter().zip(other.values::<T>());
+            let pairs = self.values().into_iter().zip(other.values());
             pairs.map(|(a, b)| a.total_cmp(&b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
         };
         self.order.cmp(&other.order).then_with(by_value)
     }
 
     /// Every number of the row.
-    fn values<T: Real>(&self) -> [f64; 13]
-    where
-        S: ExtractShape<T>,
-    {
+    fn values(&self) -> [f64; 13] {
+        let [x, y, z] = self.position.to_array();
         let [size, second_size] = self.shape.lengths().map(|length| length.map_or(0.0, |(_, length)| length));
-        let gloss = self.gloss.unwrap_or(Gloss { specular: 0.0, shininess: 0.0 });
+        let [red, green, blue] = self.color.to_array();
+        let (ambient, diffuse) = (self.ambient, self.diffuse);
+        let Gloss { specular, shininess } = self.gloss.unwrap_or(Gloss { specular: 0.0, shininess: 0.0 });
         let mirror = self.mirror.map_or(0.0, |mirror| mirror.0);
-        let (p, c) = (self.position, self.color);
-        let surface = [self.ambient, self.diffuse, gloss.specular, gloss.shininess, mirror];
-        let [ambient, diffuse, specular, shininess, mirror] = surface;
-        [p.x, p.y, p.z, size, second_size, c.x, c.y, c.z, ambient, diffuse, specular, shininess, mirror]
+        [x, y, z, size, second_size, red, green, blue, ambient, diffuse, specular, shininess, mirror]
     }
 
-    fn check<T: Real>(&self, checks: &mut Checks)
-    where
-        S: ExtractShape<T>,
-    {
+    fn check<T: Real>(&self, checks: &mut Checks) {
         let entity = self.entity;
         checks.point::<T>(entity, "Position", self.position);
         for (name, length) in self.shape.lengths().into_iter().flatten() {
@@ -175,76 +147,5 @@ impl<S> ObjectRow<S> {
             }),
             mirror: visible_mirror.map(|mirror| T::from_f64(mirror.0)),
         }
-    }
-}
-
-impl<T: Real> ExtractShape<T> for Sphere {
-    type Columns = SphereColumns<T>;
-    const NAME: &'static str = "Sphere";
-
-    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
-        &mut scene.spheres
-    }
-
-    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
-        [Some(("Sphere.radius", self.radius)), None]
-    }
-
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
-        let center = Vector::from_dvec3(position);
-        columns.push(SphereShape { center, radius: T::from_f64(self.radius) });
-    }
-}
-
-impl<T: Real> ExtractShape<T> for Cube {
-    type Columns = CubeColumns<T>;
-    const NAME: &'static str = "Cube";
-
-    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
-        &mut scene.cubes
-    }
-
-    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
-        [Some(("Cube.side", self.side)), None]
-    }
-
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
-        columns.push(CubeShape::new(position, self.side));
-    }
-}
-
-impl<T: Real> ExtractShape<T> for Pyramid {
-    type Columns = PyramidColumns<T>;
-    const NAME: &'static str = "Pyramid";
-
-    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
-        &mut scene.pyramids
-    }
-
-    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
-        [Some(("Pyramid.width", self.width)), Some(("Pyramid.height", self.height))]
-    }
-
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
-        columns.push(PyramidShape::new(position, self.width, self.height));
-    }
-}
-
-impl<T: Real> ExtractShape<T> for Checkerboard {
-    type Columns = BoardColumns<T>;
-    const NAME: &'static str = "Checkerboard";
-
-    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
-        &mut scene.boards
-    }
-
-    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
-        [Some(("Checkerboard.cell", self.cell)), None]
-    }
-
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {
-        let texture = textured
-            .map(|textured| BoardTexture { white: textured.white.clone(), black: textured.black.clone() });
-        columns.push(Vector::from_dvec3(position), T::from_f64(self.cell), texture);
     }
 }

@@ -17,6 +17,7 @@ mod extract_lights;
 mod extract_objects;
 mod frame;
 mod problem;
+mod shape_tables;
 mod trace;
 mod workers;
 

@@ -1,0 +1,113 @@
+//! Which shape goes to which table.
+
+use bevy_ecs::prelude::*;
+use glam::DVec3;
+
+use crate::components::{Checkerboard, Cube, Pyramid, Sphere, Textured};
+use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
+use crate::trace::{
+    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeTable, SphereColumns,
+};
+
+/// A shape component.
+pub(super) trait Shape: Component + Copy {
+    /// Name for messages.
+    const NAME: &'static str;
+
+    /// Its one or two lengths, with names for messages.
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2];
+}
+
+/// A shape component and the table that its entities go to, in one precision.
+pub(super) trait ExtractShape<T: Real>: Shape {
+    /// Columns of its table.
+    type Columns: Default;
+
+    /// Its table among all.
+    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns>;
+    /// Adds a row for this shape.
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>);
+}
+
+impl Shape for Sphere {
+    const NAME: &'static str = "Sphere";
+
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Sphere.radius", self.radius)), None]
+    }
+}
+
+impl<T: Real> ExtractShape<T> for Sphere {
+    type Columns = SphereColumns<T>;
+
+    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
+        &mut scene.spheres
+    }
+
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
+        let center = Vector::from_dvec3(position);
+        columns.push(SphereShape { center, radius: T::from_f64(self.radius) });
+    }
+}
+
+impl Shape for Cube {
+    const NAME: &'static str = "Cube";
+
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Cube.side", self.side)), None]
+    }
+}
+
+impl<T: Real> ExtractShape<T> for Cube {
+    type Columns = CubeColumns<T>;
+
+    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
+        &mut scene.cubes
+    }
+
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
+        columns.push(CubeShape::new(position, self.side));
+    }
+}
+
+impl Shape for Pyramid {
+    const NAME: &'static str = "Pyramid";
+
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Pyramid.width", self.width)), Some(("Pyramid.height", self.height))]
+    }
+}
+
+impl<T: Real> ExtractShape<T> for Pyramid {
+    type Columns = PyramidColumns<T>;
+
+    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
+        &mut scene.pyramids
+    }
+
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
+        columns.push(PyramidShape::new(position, self.width, self.height));
+    }
+}
+
+impl Shape for Checkerboard {
+    const NAME: &'static str = "Checkerboard";
+
+    fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
+        [Some(("Checkerboard.cell", self.cell)), None]
+    }
+}
+
+impl<T: Real> ExtractShape<T> for Checkerboard {
+    type Columns = BoardColumns<T>;
+
+    fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
+        &mut scene.boards
+    }
+
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {
+        let texture = textured
+            .map(|textured| BoardTexture { white: textured.white.clone(), black: textured.black.clone() });
+        columns.push(Vector::from_dvec3(position), T::from_f64(self.cell), texture);
+    }
+}
