@@ -1,0 +1,31 @@
+//! Every kernel against exact arithmetic: hard cases by their id, random rays by the hundred thousand, and a bound
+//! with a reason for each figure.
+//!
+//! `cargo test --test numerics -- --nocapture` prints the worst errors and the sizes of the bands.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::panic,
+    clippy::print_stdout,
+    clippy::unwrap_used,
+    reason = "tests: a panic is a failure, --nocapture shows measured figures, and counts are small"
+)]
+
+mod camera;
+mod checker;
+mod compensated;
+mod cube;
+mod exit;
+mod falloff;
+mod gloss;
+mod mirror;
+mod oracle;
+mod oracle_itself;
+mod plane;
+mod precision;
+mod pyramid;
+mod random;
+mod sphere;
+mod spot;
+mod textbook;
+mod worst;
