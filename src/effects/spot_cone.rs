@@ -17,7 +17,10 @@ impl<T: Real> Cone<T> {
     /// A cone around a vector that is not zero, with a cutoff of 0 to 180 degrees between axis and side.
     pub fn new(axis: Vector<T>, cutoff_degrees: f64) -> Self {
         let (sine, cosine) = sin_cos_degrees(cutoff_degrees);
-        Self { axis, sine: T::from_f64(sine), cosine: T::from_f64(cosine) }
+        let axis = axis.to_dvec3();
+        // Saturating: the exponent of zero or NaN, which the systems report and never trace, is the least integer.
+        let unit = libm::ldexp(1.0, 0_i32.saturating_sub(libm::ilogb(axis.abs().max_element())));
+        Self { axis: Vector::from_dvec3(axis * unit), sine: T::from_f64(sine), cosine: T::from_f64(cosine) }
     }
 
     /// Whether a point lies in the cone, given the vector (of any length) from the light to it.
@@ -25,7 +28,8 @@ impl<T: Real> Cone<T> {
     /// `acos` of a dot product is useless for narrow cones and NaN when rounding takes the product above 1. With
     /// the sine from the cross product, `angle <= cutoff` is `sin(angle - cutoff) <= 0`, which takes no inverse
     /// function at all and is well conditioned everywhere (W. Kahan on angles between vectors). Neither vector is
-    /// normalised: the product of a vector with itself is then exactly 0, and even cutoff 0 lights its target.
+    /// normalised, the axis only scaled by a power of two: the product of a vector with itself is then exactly 0, and
+    /// even cutoff 0 lights its target.
     #[inline(always)]
     pub fn contains(&self, from_light: Vector<T>) -> bool {
         let along = self.axis.dot(from_light);

@@ -61,7 +61,16 @@ impl<T: Real> Vector<T> {
     /// The direction of a vector that is not zero, with length 1.
     #[inline(always)]
     pub fn unit(self) -> Self {
-        self / self.length()
+        let square = self.dot(self);
+        if square > T::SQUARE_FLOOR { self / square.sqrt() } else { self.unit_of_short() }
+    }
+
+    /// The same where the squares underflow: a light may lie that close to a surface.
+    #[cold]
+    fn unit_of_short(self) -> Self {
+        let largest = self.x.abs().at_least(self.y.abs()).at_least(self.z.abs());
+        let scaled = self / largest;
+        scaled / scaled.length()
     }
 
     /// This vector with component `axis` (0, 1, 2) replaced.

@@ -83,7 +83,7 @@ fn gather_lights<T: Real>(
         if is_occluded(tables, &Ray { origin: shaded.point, direction: segment }, &shaded.departure) {
             continue;
         }
-        let to_light = segment / distance_squared.sqrt();
+        let to_light = segment.unit();
         sums.lambert += lambert(to_light, shaded.normal) * scale;
         if let Some(gloss) = gloss {
             sums.phong += phong(mirrored, to_light, gloss.shininess) * scale;

@@ -229,9 +229,19 @@ fn a_far_plane_is_beyond_the_near_one() {
 #[test]
 fn a_camera_has_unit_axes() {
     let (camera, message) = camera_message(|world| only::<CameraPose>(world).l *= 1.5);
-    assert_eq!(message, format!("entity {camera}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l"));
+    assert_eq!(
+        message,
+        format!(
+            "entity {camera}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l"
+        )
+    );
     let (camera, message) = camera_message(|world| only::<CameraPose>(world).r.x = f64::NAN);
-    assert_eq!(message, format!("entity {camera}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l"));
+    assert_eq!(
+        message,
+        format!(
+            "entity {camera}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l"
+        )
+    );
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use archetrace::components::{
     Ambient, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Light, Position, Sphere, SpotCone,
 };
+use archetrace::geometry::Real;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
@@ -266,4 +267,25 @@ fn without_any_light_the_ambient_part_shows() {
     let mut empty = View::one_ray().world();
     empty.spawn((Light, Position::new(0.0, -5.0, 0.0)));
     assert_eq!(seen(&mut empty), ([0.0; 3], 0));
+}
+
+#[test]
+fn a_light_as_close_as_numbers_go_lights_its_point_in_full() {
+    fn check<T: Real>(distances: &[f64]) {
+        for &distance in distances {
+            let mut world = View::one_ray().world();
+            world.spawn((wall_ahead(0.0), colored(0.1, 0.3), shiny(0.2, 9.0)));
+            // The largest falloff there is takes nothing from a light so near.
+            world.spawn((lamp(0.0, -distance, 0.0), Falloff(1e150)));
+            world.spawn(lamp(0.0, -distance, 0.0));
+            let traced = trace::<T>(&mut world);
+            assert_eq!(traced.counts.non_finite, 0);
+            for (found, own) in traced.picture.middle().into_iter().zip(OWN) {
+                let wanted = own * (0.1 + 2.0 * (0.3 + 0.2));
+                assert!((found - wanted.min(1.0)).abs() < 1e-6, "{} at {distance:e}: {found}", T::NAME);
+            }
+        }
+    }
+    check::<f64>(&[1e-100, 1e-160, 1e-200, 5e-324]);
+    check::<f32>(&[1e-35, 1e-40]);
 }
