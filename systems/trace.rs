@@ -51,11 +51,10 @@ fn trace_film<T: Real>(
     let mut tiles = film.tiles_mut(workers.tile_size);
     workers.pool.install(|| {
         let each = tiles.par_iter_mut().map(|tile| {
-            if monitor.is_cancelled() {
-                return Counts::default();
+            let counts = trace_tile(scene, camera, level, tile, || !monitor.is_cancelled());
+            if !monitor.is_cancelled() {
+                monitor.tile_done(tile.area());
             }
-            let counts = trace_tile(scene, camera, level, tile);
-            monitor.tile_done(tile.area());
             counts
         });
         each.reduce(Counts::default, |mut sum, counts| {

@@ -5,16 +5,18 @@ use crate::geometry::Real;
 
 use super::{CameraRays, Counts, SceneTables, radiance};
 
-/// Traces every pixel of a tile: one ray through each pixel centre, clamped to 0..=1 as the last step.
+/// Traces every pixel of a tile: one ray through each pixel centre, clamped to 0..=1 as the last step. `keep_going`
+/// is asked before each row; the rows after a no keep what they held.
 pub fn trace_tile<T: Real>(
     tables: &SceneTables<T>,
     camera: &CameraRays<T>,
     level: u32,
     tile: &mut FilmTile<'_>,
+    keep_going: impl Fn() -> bool,
 ) -> Counts {
     let mut counts = Counts::default();
     let left = tile.left();
-    for (row, pixels) in tile.rows_mut() {
+    for (row, pixels) in tile.rows_mut().take_while(|_| keep_going()) {
         for (column, pixel) in (left..).zip(pixels) {
             *pixel = trace_pixel(tables, camera, level, (column, row), &mut counts);
         }
