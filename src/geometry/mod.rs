@@ -1,6 +1,7 @@
 //! Intersection kernels: numbers in, numbers out.
 //!
-//! Nothing here knows an entity, a colour or a tolerance. Every shape is convex, and that carries the whole
+//! Nothing here knows an entity or a colour. There is no tolerance but the rounding of a point that was put onto a
+//! surface, derived where it is used. Every shape is convex, and that carries the whole
 //! treatment of secondary rays: a ray that leaves a convex body outwards cannot meet it again, so the body is
 //! skipped and no offset is needed; a ray that goes on inside must leave it once, so it has a kernel of its own
 //! ([`Convex::exit`]). Hit points are snapped onto the face they belong to ([`Convex::locate`]).

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::clip::Span;
-use super::{Convex, Crossing, Ray, Real, SurfacePoint, Vector};
+use super::{Convex, Crossing, Ray, Real, Side, SurfacePoint, Vector};
 
 /// A closed pyramid on a square base parallel to the xy plane, apex above its middle.
 /// Faces: 0 and 1 look towards -x and +x, 2 and 3 towards -y and +y, 4 is the base.
@@ -46,6 +46,18 @@ impl<T: Real> PyramidShape<T> {
         (room, slope)
     }
 
+    /// Whether the origin of a ray is in the plane of a side face as nearly as rounding allows: that of the point
+    /// itself, a few units in the last place of each coordinate, and that of its offset from the apex.
+    #[cold]
+    fn is_on_side(&self, ray: &Ray<T>, to_apex: Vector<T>, face: u8) -> bool {
+        let Some(&(axis, positive)) = SIDES.get(usize::from(face)) else { return false };
+        let (room, _) = self.side(ray, to_apex, (axis, positive));
+        let sideways = self.apex[axis].abs() + ray.origin[axis].abs();
+        let upwards = self.apex.z.abs() + ray.origin.z.abs();
+        let four = T::TWO * T::TWO;
+        room <= four * T::ULP * (self.height * sideways + self.half_width * upwards)
+    }
+
     #[inline(always)]
     fn normal(&self, face: u8) -> Vector<T> {
         let Some(&(axis, positive)) = SIDES.get(usize::from(face)) else {
@@ -66,7 +78,11 @@ impl<T: Real> Convex<T> for PyramidShape<T> {
             span.cut(room, slope, face)?;
         }
         span.cut(ray.origin.z - self.base, -ray.direction.z, BASE)?;
-        span.first_ahead()
+        let crossing = span.first_ahead()?;
+        // A ray that leaves from a point on a face does not meet it, whichever way the point was rounded: it may have
+        // been found on a face of another pyramid in the same plane.
+        let leaves = crossing.side == Side::Inside && self.is_on_side(ray, to_apex, crossing.face);
+        (!leaves).then_some(crossing)
     }
 
     #[inline(always)]

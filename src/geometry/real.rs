@@ -36,6 +36,8 @@ pub trait Real:
     const INFINITY: Self;
     /// The largest finite number.
     const MAX: Self;
+    /// Unit in the last place of 1: the gap to the next number.
+    const ULP: Self;
     /// Sums of squares above this have lost nothing to underflow.
     const SQUARE_FLOOR: Self;
     /// `2^ceil(p/2) + 1` for a significand of `p` bits: splits a number into two halves (Dekker 1971).
@@ -88,6 +90,7 @@ macro_rules! real {
             const TWO: Self = 2.0;
             const INFINITY: Self = $float::INFINITY;
             const MAX: Self = $float::MAX;
+            const ULP: Self = $float::EPSILON;
             const SQUARE_FLOOR: Self = $float::MIN_POSITIVE / $float::EPSILON;
             const SPLITTER: Self = $splitter;
             const LENGTH_LIMIT: f64 = $limit;

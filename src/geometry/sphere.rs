@@ -28,6 +28,15 @@ struct Chord<T> {
 }
 
 impl<T: Real> SphereShape<T> {
+    /// How far below 0 rounding alone can bring `|o - c|^2 - r^2` for a point on the surface, as
+    /// [`locate`](Convex::locate) gives it: half a unit in the last place of each coordinate and three of the normal.
+    #[cold]
+    fn surface_rounding(&self) -> T {
+        let center = self.center.x.abs() + self.center.y.abs() + self.center.z.abs();
+        let four = T::TWO * T::TWO;
+        T::TWO * self.radius * T::ULP * (center + four * self.radius)
+    }
+
     #[inline(always)]
     fn chord(&self, ray: &Ray<T>) -> Chord<T> {
         let direction = ray.direction;
@@ -58,6 +67,11 @@ impl<T: Real> Convex<T> for SphereShape<T> {
         }
         // 2. c = |offset|^2 - r^2 tells inside from outside and is the product of the roots times a.
         let c = square_excess(chord.offset, chord.offset_error, self.radius);
+        // A ray that leaves from a point on the surface does not meet it, whichever way the point was rounded: it may
+        // have been found on a twin of this ball.
+        if chord.h < T::ZERO && c < T::ZERO && -c <= self.surface_rounding() {
+            return None;
+        }
         // 3. q has the larger magnitude of the two numerators, so nothing cancels in it.
         let q = chord.h + (chord.a * chord.half_squared).sqrt().copysign(chord.h);
         let (near, far) = if chord.h > T::ZERO { (c / q, q / chord.a) } else { (q / chord.a, c / q) };

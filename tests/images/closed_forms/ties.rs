@@ -1,11 +1,11 @@
 //! Surfaces in the same place: one shows everywhere, and it is said which.
 
-use archetrace::components::{Checkerboard, Color, Cube, Order, Position, Pyramid, Sphere};
+use archetrace::components::{Checkerboard, Color, Cube, Mirror, Order, Position, Pyramid, Sphere};
 use archetrace::geometry::Real;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
-use super::{View, white};
+use super::{View, lamp, white};
 use crate::support::picture::{Picture, assert_same};
 use crate::support::tracing::trace;
 
@@ -106,4 +106,30 @@ fn of_touching_cubes_the_one_of_lower_order_shows_on_the_common_edge() {
         world.spawn((side(0.0), red(), Order(right))).insert(Color::new(0.0, 1.0, 0.0));
         assert_eq!(trace::<f64>(&mut world).picture.middle(), expected);
     }
+}
+
+#[test]
+fn a_twin_casts_no_shadow_on_its_twin_and_is_not_mirrored_in_it() {
+    fn check<T: Real, B: Bundle + Clone>(shape: &B) {
+        let picture = |count: u32| {
+            let mut world = slanting_view(6.31).world();
+            for order in 0..count {
+                world.spawn((shape.clone(), white(0.1, 0.6), Mirror(0.3), Order(order)));
+            }
+            world.spawn(lamp(-6.0, -9.0, 8.0));
+            world.spawn(lamp(7.0, -5.0, 9.0));
+            trace::<T>(&mut world).picture
+        };
+        let alone = picture(1);
+        assert!(alone.pixels.iter().filter(|pixel| pixel[0] > 0.3).count() > 500);
+        assert_same("lit twins", &alone, &picture(2));
+    }
+    fn check_all<T: Real>() {
+        check::<T, _>(&(Sphere { radius: 2.03 }, Position::new(0.33, -0.17, 0.41)));
+        check::<T, _>(&(Cube { side: 2.3 }, Position::new(-1.1, -0.9, 0.2)));
+        check::<T, _>(&(Pyramid { width: 3.1, height: 2.9 }, Position::new(-1.03, -1.07, 0.13)));
+        check::<T, _>(&Checkerboard { cell: 0.7 });
+    }
+    check_all::<f64>();
+    check_all::<f32>();
 }
