@@ -31,6 +31,12 @@ impl Film {
         self.pixels.iter().flatten().map(|&channel| quantize(channel)).collect()
     }
 
+    /// Divides every pixel, as the sum of that many samples.
+    pub fn divide(&mut self, samples: u32) {
+        let count = f64::from(samples);
+        self.pixels.iter_mut().flatten().for_each(|channel| *channel /= count);
+    }
+
     /// The film cut into tiles of at most `size` by `size` pixels (at least 1), which can be filled in any order.
     pub fn tiles_mut(&mut self, size: u32) -> Vec<FilmTile<'_>> {
         let size = size.clamp(1, self.side.max(1));

@@ -2,6 +2,8 @@
 
 use core::cmp::Ordering;
 
+use std::sync::Arc;
+
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
@@ -39,7 +41,7 @@ pub(super) fn extract_lights<T: Real>(
         source.check::<T>(&mut checks);
         table.push(source.row());
     }
-    tables.scene.lights = table;
+    Arc::make_mut(&mut tables.scene).lights = table;
     tables.problems.insert("Light", checks.problems);
 }
 

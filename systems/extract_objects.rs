@@ -1,6 +1,7 @@
 //! Objects of one shape kind to their table.
 
 use core::cmp::Ordering;
+use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 use glam::DVec3;
@@ -9,7 +10,7 @@ use crate::components::range::{COEFFICIENT, COLOR, SHININESS};
 use crate::components::{Ambient, Color, Diffuse, Gloss, Mirror, Order, Position, Textured};
 use crate::effects::Rgb;
 use crate::geometry::Real;
-use crate::trace::{GlossRow, ShapeTable, SurfaceRow};
+use crate::trace::{GlossRow, ShapeColumns, ShapeTable, SurfaceRow};
 
 use super::Tables;
 use super::problem::{Checks, WorldProblem};
@@ -43,7 +44,8 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     let needs = "Position, Color, Ambient and Diffuse";
     let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind: S::NAME, needs });
     checks.problems.extend(missing);
-    let table = S::table(&mut tables.scene);
+    tables.entities.insert(S::Columns::KIND, rows.iter().map(|row| row.entity).collect());
+    let table = S::table(Arc::make_mut(&mut tables.scene));
     *table = ShapeTable::default();
     for row in &rows {
         row.check::<T>(&mut checks);

@@ -1,6 +1,7 @@
 //! What a frame leaves in the World: its tables and its picture.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 use thiserror::Error;
@@ -8,22 +9,30 @@ use thiserror::Error;
 use crate::components::range::MAX_PIXELS;
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::trace::{CameraRays, Counts, SceneTables};
+use crate::trace::{CameraRays, Counts, Kind, ObjectId, SceneTables};
 
 use super::WorldProblem;
 
 /// The tables of one precision, kept from frame to frame.
 #[derive(Resource, Default)]
 pub struct Tables<T: Real> {
-    /// Objects and lights.
-    pub scene: SceneTables<T>,
+    /// Objects and lights. Shared, so that a picture can be traced from them while the World goes on: the extraction
+    /// copies them before it changes them if somebody does.
+    pub scene: Arc<SceneTables<T>>,
     /// The camera's rays; absent until there is exactly one usable camera.
     pub camera: Option<CameraRays<T>>,
+    /// The entity of each row of the object tables.
+    pub(super) entities: BTreeMap<Kind, Vec<Entity>>,
     /// What is wrong, by the table that it keeps from being right.
     pub(super) problems: BTreeMap<&'static str, Vec<WorldProblem>>,
 }
 
 impl<T: Real> Tables<T> {
+    /// The entity that a row was extracted from.
+    pub fn entity(&self, object: ObjectId) -> Option<Entity> {
+        self.entities.get(&object.kind)?.get(object.row as usize).copied()
+    }
+
     /// Everything that is wrong with the World, as of the last extraction.
     pub fn problems(&self) -> Vec<WorldProblem> {
         self.problems.values().flatten().cloned().collect()

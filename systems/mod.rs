@@ -24,7 +24,7 @@ mod workers;
 use bevy_ecs::prelude::*;
 use bevy_ecs::schedule::{IntoScheduleConfigs, Schedule};
 
-use crate::components::{Checkerboard, Cube, Pyramid, Sphere};
+use crate::components::{Checkerboard, Cube, Pyramid, Sampling, Snapshot, Sphere};
 use crate::geometry::Real;
 
 use changes::{lights_changed, objects_changed};
@@ -35,6 +35,7 @@ use trace::trace;
 
 pub use frame::{Frame, FrameError, Tables};
 pub use problem::WorldProblem;
+pub use trace::{trace_pass, trace_picture};
 pub use workers::{Monitor, Workers, WorkersError};
 
 /// Parts of a frame, in the order in which they run.
@@ -48,7 +49,8 @@ pub enum Stage {
 
 /// Gives a World what the schedules need besides entities: empty tables, a frame, settings where it has none.
 pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
-    world.init_resource::<crate::components::Snapshot>();
+    world.init_resource::<Snapshot>();
+    world.init_resource::<Sampling>();
     world.init_resource::<Monitor>();
     world.init_resource::<Frame>();
     world.init_resource::<Tables<T>>();

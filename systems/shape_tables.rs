@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::components::{Checkerboard, Cube, Pyramid, Sphere, Textured};
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeTable, SphereColumns,
+    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable, SphereColumns,
 };
 
 /// A shape component.
@@ -21,7 +21,7 @@ pub(super) trait Shape: Component + Copy {
 /// A shape component and the table that its entities go to, in one precision.
 pub(super) trait ExtractShape<T: Real>: Shape {
     /// Columns of its table.
-    type Columns: Default;
+    type Columns: ShapeColumns<T>;
 
     /// Its table among all.
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns>;

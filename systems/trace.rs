@@ -3,10 +3,10 @@
 use bevy_ecs::prelude::*;
 use rayon::prelude::*;
 
-use crate::components::Snapshot;
+use crate::components::{Sampling, Snapshot};
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::trace::{CameraRays, Counts, SceneTables, trace_tile};
+use crate::trace::{Counts, Exposure, SampleGrid};
 
 use super::{Frame, FrameError, Monitor, Tables, Workers};
 
@@ -14,9 +14,8 @@ use super::{Frame, FrameError, Monitor, Tables, Workers};
 /// numbers, so neither depends on which thread did what.
 pub(super) fn trace<T: Real>(
     tables: Res<Tables<T>>,
-    snapshot: Res<Snapshot>,
-    workers: Res<Workers>,
-    monitor: Res<Monitor>,
+    (snapshot, sampling): (Res<Snapshot>, Res<Sampling>),
+    (workers, monitor): (Res<Workers>, Res<Monitor>),
     mut frame: ResMut<Frame>,
 ) {
     let frame = &mut *frame;
@@ -34,16 +33,34 @@ pub(super) fn trace<T: Real>(
         };
         frame.film = film;
     }
-    frame.counts = trace_film(&tables.scene, camera, snapshot.level, &mut frame.film, &workers, &monitor);
+    let grid = SampleGrid::new(sampling.side);
+    let exposure = Exposure { tables: &tables.scene, camera, level: snapshot.level, grid };
+    frame.counts = trace_picture(&exposure, &mut frame.film, &workers, &monitor);
     if monitor.is_cancelled() {
         frame.error = Some(FrameError::Cancelled);
     }
 }
 
-fn trace_film<T: Real>(
-    scene: &SceneTables<T>,
-    camera: &CameraRays<T>,
-    level: u32,
+/// Traces every pass and leaves the mean of the samples in the film, which must have the camera's size.
+pub fn trace_picture<T: Real>(
+    exposure: &Exposure<'_, T>,
+    film: &mut Film,
+    workers: &Workers,
+    monitor: &Monitor,
+) -> Counts {
+    let mut counts = Counts::default();
+    for pass in (0..exposure.grid.count()).take_while(|_| !monitor.is_cancelled()) {
+        counts += trace_pass(exposure, pass, film, workers, monitor);
+    }
+    film.divide(exposure.grid.count());
+    counts
+}
+
+/// Traces one sample of every pixel, tiles in parallel: the first pass sets the film, later ones add to it. Once the
+/// monitor is cancelled, no further row is begun.
+pub fn trace_pass<T: Real>(
+    exposure: &Exposure<'_, T>,
+    pass: u32,
     film: &mut Film,
     workers: &Workers,
     monitor: &Monitor,
@@ -51,7 +68,7 @@ fn trace_film<T: Real>(
     let mut tiles = film.tiles_mut(workers.tile_size);
     workers.pool.install(|| {
         let each = tiles.par_iter_mut().map(|tile| {
-            let counts = trace_tile(scene, camera, level, tile, || !monitor.is_cancelled());
+            let counts = exposure.trace_tile(pass, tile, || !monitor.is_cancelled());
             if !monitor.is_cancelled() {
                 monitor.tile_done(tile.area());
             }

@@ -8,10 +8,10 @@ use bevy_ecs::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
 
-/// The threads of the heavy systems. No picture depends on their number or on the tile size.
-#[derive(Resource)]
+/// The threads of the heavy systems; a clone shares them. No picture depends on their number or on the tile size.
+#[derive(Resource, Clone, Debug)]
 pub struct Workers {
-    pub(super) pool: ThreadPool,
+    pub(super) pool: Arc<ThreadPool>,
     pub(super) tile_size: u32,
 }
 
@@ -22,7 +22,7 @@ impl Workers {
         let builder = ThreadPoolBuilder::new().num_threads(threads.map_or(0, NonZeroUsize::get));
         let pool = builder.build().map_err(|error| WorkersError(error.to_string()))?;
         // 32 x 32 pixels: enough tiles to keep all threads busy to the end, few enough not to matter themselves.
-        Ok(Self { pool, tile_size: 32 })
+        Ok(Self { pool: Arc::new(pool), tile_size: 32 })
     }
 
     /// The same threads with tiles of another size, in pixels along each side.
@@ -60,7 +60,8 @@ impl Monitor {
         (self.on_tile)(pixels);
     }
 
-    pub(super) fn is_cancelled(&self) -> bool {
+    /// Whether the frame is to be given up.
+    pub fn is_cancelled(&self) -> bool {
         self.cancel.load(Ordering::Relaxed)
     }
 }

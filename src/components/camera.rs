@@ -7,6 +7,7 @@ use crate::geometry::basis_looking;
 
 /// Where the camera stands and how it is turned. `l`, `r`, `u` are orthonormal and `u = r x l`.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
+#[require(Reference)]
 pub struct CameraPose {
     /// Eye position in world units.
     pub position: DVec3,
@@ -54,3 +55,21 @@ impl Lens {
         self.aspect * self.fovy
     }
 }
+
+/// How far ahead along `l` the point lies that the camera keeps looking at while its eye is raised or lowered.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Reference {
+    /// Distance in world units, above 0.
+    pub distance: f64,
+}
+
+impl Default for Reference {
+    /// At the start the reference point is 150 units ahead.
+    fn default() -> Self {
+        Self { distance: 150.0 }
+    }
+}
+
+/// Where a camera goes when it is sent home; without it, to the default pose.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Home(pub CameraPose);

@@ -9,14 +9,16 @@
 //! [`range`].
 
 mod camera;
+mod camera_input;
 mod light;
 mod object;
 pub mod range;
 mod settings;
 mod surface;
 
-pub use camera::{CameraPose, Lens};
+pub use camera::{CameraPose, Home, Lens, Reference};
+pub use camera_input::{CameraInput, CameraMove};
 pub use light::{Falloff, Light, SpotCone};
 pub use object::{Checkerboard, Cube, Order, Position, Pyramid, Sphere};
-pub use settings::Snapshot;
+pub use settings::{FrameTime, Sampling, Snapshot};
 pub use surface::{Ambient, Color, Diffuse, Gloss, Mirror, Texture, Textured};

@@ -49,3 +49,5 @@ pub const RATIO: Range = Range::closed(1e-6, 1e6, "a ratio from 1e-6 to 1e6");
 pub const MAX_PIXELS: u32 = 8192;
 /// Most rays that follow each other through mirrors, the camera's own included.
 pub const MAX_LEVEL: u32 = 1000;
+/// Most sample points along one side of a pixel.
+pub const MAX_GRID: u32 = 64;

@@ -17,3 +17,27 @@ impl Default for Snapshot {
         Self { pixels: 768, level: 3 }
     }
 }
+
+/// How often each pixel is sampled: on a regular grid of `side` by `side` points, 1 to
+/// [`MAX_GRID`](super::range::MAX_GRID). One is the pixel's centre alone.
+#[derive(Resource, Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// Sample points along each side of a pixel.
+    pub side: u32,
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { side: 1 }
+    }
+}
+
+/// The time of the frame, for systems that move things. The window sets it before each frame; a program without one
+/// sets it itself.
+#[derive(Resource, Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrameTime {
+    /// Seconds since the first frame.
+    pub seconds: f64,
+    /// Seconds since the frame before.
+    pub step: f64,
+}

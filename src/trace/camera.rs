@@ -41,6 +41,12 @@ impl<T: Real> CameraRays<T> {
         }
     }
 
+    /// The rays of the same camera for a picture of `times` as many pixels along each side.
+    #[must_use]
+    pub fn refined(&self, times: u32) -> Self {
+        Self { pixels: self.pixels * times, ..self.clone() }
+    }
+
     /// Pixels along each side.
     pub fn pixels(&self) -> u32 {
         self.pixels

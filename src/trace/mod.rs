@@ -13,6 +13,7 @@ mod hit;
 mod light_table;
 mod occlusion;
 mod radiance;
+mod samples;
 mod shade;
 mod shape_columns;
 mod surface_table;
@@ -28,9 +29,10 @@ pub use hit::{Departure, Hit, Kind, ObjectId};
 pub use light_table::{LightRow, LightTable};
 pub use occlusion::is_occluded;
 pub use radiance::radiance;
+pub use samples::{SampleGrid, SamplePoint};
 pub use shape_columns::{
     BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };
 pub use surface_table::{GlossRow, SurfaceRow, SurfaceTable};
 pub use tables::{SceneTables, ShapeTable};
-pub use tile::trace_tile;
+pub use tile::Exposure;

@@ -1,5 +1,7 @@
 //! Tables: what the World holds, in an order of their own, rebuilt only when they must be.
 
+use std::sync::Arc;
+
 use archetrace::components::{
     Ambient, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Light, Mirror, Order, Position, Pyramid,
     Sphere, SpotCone, Textured,
@@ -40,7 +42,7 @@ impl Extracted {
 
     /// Empties every table behind the back of the systems: what is full after the next run was rebuilt.
     fn empty_tables(&mut self) {
-        self.world.resource_mut::<Tables<f64>>().scene = SceneTables::default();
+        self.world.resource_mut::<Tables<f64>>().scene = Arc::new(SceneTables::default());
     }
 
     /// Rows of each table: spheres, cubes, pyramids, checkerboards, lights.
