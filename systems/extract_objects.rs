@@ -16,7 +16,8 @@ use super::Tables;
 use super::problem::{Checks, WorldProblem};
 use super::shape_tables::{ExtractShape, Shape};
 
-type Objects<'w, 's, S> = Query<
+/// Objects with shape `S` and everything that tells them apart.
+pub(super) type Objects<'w, 's, S> = Query<
     'w,
     's,
     (
@@ -44,6 +45,7 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     let needs = "Position, Color, Ambient and Diffuse";
     let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind: S::NAME, needs });
     checks.problems.extend(missing);
+    tables.revision += 1;
     tables.entities.insert(S::Columns::KIND, rows.iter().map(|row| row.entity).collect());
     let table = S::table(Arc::make_mut(&mut tables.scene));
     *table = ShapeTable::default();
@@ -57,21 +59,21 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
 }
 
 /// One object as the World has it.
-struct ObjectRow<S> {
-    entity: Entity,
-    shape: S,
-    position: DVec3,
-    order: u32,
-    color: DVec3,
-    ambient: f64,
-    diffuse: f64,
-    gloss: Option<Gloss>,
-    mirror: Option<Mirror>,
-    textured: Option<Textured>,
+pub(super) struct ObjectRow<S> {
+    pub(super) entity: Entity,
+    pub(super) shape: S,
+    pub(super) position: DVec3,
+    pub(super) order: u32,
+    pub(super) color: DVec3,
+    pub(super) ambient: f64,
+    pub(super) diffuse: f64,
+    pub(super) gloss: Option<Gloss>,
+    pub(super) mirror: Option<Mirror>,
+    pub(super) textured: Option<Textured>,
 }
 
 /// Walks the component tables slice by slice.
-fn gather<S: Shape>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
+pub(super) fn gather<S: Shape>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
     let mut rows = Vec::with_capacity(objects.iter().len());
     // Fails only for components with sparse storage, and none of ours has it.
     for slices in objects.contiguous_iter().into_iter().flatten() {
@@ -96,7 +98,7 @@ fn gather<S: Shape>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
 impl<S: Shape> ObjectRow<S> {
     /// Scene order first. Rows without one are sorted by value, never by how the World happens to store them:
     /// bevy reorders its tables on despawn and insert, and the picture must not change when it does.
-    fn compare(&self, other: &Self) -> Ordering {
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
         let by_value = || {
             let pairs = self.values().into_iter().zip(other.values());
             pairs.map(|(a, b)| a.total_cmp(&b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)

@@ -14,6 +14,7 @@ mod agreement;
 mod closed_forms;
 mod metamorphic;
 mod naive;
+mod samples;
 #[path = "../support/mod.rs"]
 mod support;
 mod transforms;
