@@ -35,7 +35,8 @@ pub(super) fn axes(length: f64) -> Vec<Segment> {
 /// The cone of a light at `apex`: as long along its side as the target is away. A cone of 180 degrees is none.
 pub(super) fn cone(apex: DVec3, cone: &SpotCone) -> Vec<Segment> {
     let way = cone.target - apex;
-    let Some(axis) = way.try_normalize().filter(|_| cone.cutoff < 180.0 && is_drawable_point(cone.target)) else {
+    let Some(axis) = way.try_normalize().filter(|_| cone.cutoff < 180.0 && is_drawable_point(cone.target))
+    else {
         return Vec::new();
     };
     let (across, along) = axis.any_orthonormal_pair();
@@ -56,7 +57,8 @@ pub(super) fn outline([low, high]: [DVec3; 2]) -> Vec<Segment> {
         let pick = |axis: usize| if bits >> axis & 1 == 0 { low[axis] } else { high[axis] };
         DVec3::new(pick(0), pick(1), pick(2))
     };
-    let edges = (0..3).flat_map(|axis| (0..8).filter(move |bits| bits >> axis & 1 == 0).map(move |bits| (bits, axis)));
+    let edges = (0..3)
+        .flat_map(|axis| (0..8).filter(move |bits| bits >> axis & 1 == 0).map(move |bits| (bits, axis)));
     edges.map(|(bits, axis)| segment(corner(bits), corner(bits | 1 << axis), OUTLINE_COLOR)).collect()
 }
 

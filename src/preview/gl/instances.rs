@@ -22,8 +22,9 @@ impl<const N: usize> Instances<N> {
     pub(super) fn new(gl: &Arc<Context>) -> Result<Self, GlError> {
         // SAFETY: the context is current, as `load_context` demands.
         unsafe {
-            let array =
-                gl.create_vertex_array().map_err(|reason| GlError::Object { what: "vertex array", reason })?;
+            let array = gl
+                .create_vertex_array()
+                .map_err(|reason| GlError::Object { what: "vertex array", reason })?;
             let buffer = gl.create_buffer().map_err(|reason| {
                 gl.delete_vertex_array(array);
                 GlError::Object { what: "buffer", reason }

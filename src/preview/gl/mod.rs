@@ -191,6 +191,18 @@ impl Renderer {
         state::leave(&self.gl);
     }
 
+    /// Leaves GL as badly as anybody could.
+    #[cfg(test)]
+    pub(crate) fn spoil(&self) {
+        state::spoil(&self.gl);
+    }
+
+    /// What a window of this size shows: red, green, blue, top row first.
+    #[cfg(test)]
+    pub(crate) fn read_window(&self, [width, height]: [u32; 2]) -> Vec<u8> {
+        target::read_bound(&self.gl, width.cast_signed(), height.cast_signed())
+    }
+
     fn fill(&mut self, list: &DrawList) -> Result<(), GlError> {
         let filled = [
             self.spheres.instances.fill(&list.spheres)?,

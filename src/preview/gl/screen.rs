@@ -60,7 +60,9 @@ impl Screen {
         }
         // Where only one of both is there, it takes the whole square.
         let (preview, traced, split, divided) = match (layout, preview, traced) {
-            (Layout::Preview, Some(preview), _) | (_, Some(preview), None) => (preview, preview, square, false),
+            (Layout::Preview, Some(preview), _) | (_, Some(preview), None) => {
+                (preview, preview, square, false)
+            }
             (Layout::Split, Some(preview), Some(traced)) => (preview, traced, square / 2, true),
             (_, _, Some(traced)) => (traced, traced, 0, false),
             (_, None, None) => return,

@@ -24,10 +24,7 @@ fn casting(source: &str) -> String {
 
 /// Spheres.
 pub(super) fn sphere() -> [String; 2] {
-    [
-        placing(include_str!("../shaders/sphere.vert")),
-        casting(include_str!("../shaders/sphere.frag")),
-    ]
+    [placing(include_str!("../shaders/sphere.vert")), casting(include_str!("../shaders/sphere.frag"))]
 }
 
 /// Cubes and pyramids.
@@ -42,16 +39,10 @@ pub(super) fn board() -> String {
 
 /// Lights.
 pub(super) fn marker() -> [String; 2] {
-    [
-        placing(include_str!("../shaders/marker.vert")),
-        [HEAD, include_str!("../shaders/marker.frag")].concat(),
-    ]
+    [placing(include_str!("../shaders/marker.vert")), [HEAD, include_str!("../shaders/marker.frag")].concat()]
 }
 
 /// Axes, cones and outlines.
 pub(super) fn line() -> [String; 2] {
-    [
-        placing(include_str!("../shaders/line.vert")),
-        [HEAD, include_str!("../shaders/line.frag")].concat(),
-    ]
+    [placing(include_str!("../shaders/line.vert")), [HEAD, include_str!("../shaders/line.frag")].concat()]
 }

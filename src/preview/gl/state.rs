@@ -86,3 +86,32 @@ pub(super) fn leave(gl: &Context) {
         gl.bind_framebuffer(glow::FRAMEBUFFER, None);
     }
 }
+
+/// What others might leave behind: everything that could spoil a picture.
+#[cfg(test)]
+pub(super) fn spoil(gl: &Context) {
+    let switches = [glow::BLEND, glow::SCISSOR_TEST, glow::CULL_FACE, glow::DEPTH_TEST, glow::STENCIL_TEST];
+    // SAFETY: the context is current.
+    unsafe {
+        for switch in switches.into_iter().chain([glow::FRAMEBUFFER_SRGB, glow::COLOR_LOGIC_OP]) {
+            gl.enable(switch);
+        }
+        gl.blend_func(glow::ONE, glow::ONE);
+        gl.scissor(3, 3, 5, 5);
+        gl.cull_face(glow::FRONT_AND_BACK);
+        gl.depth_func(glow::NEVER);
+        gl.stencil_func(glow::NEVER, 1, 1);
+        gl.depth_mask(false);
+        gl.color_mask(false, true, false, true);
+        gl.polygon_mode(glow::FRONT_AND_BACK, glow::LINE);
+        gl.front_face(glow::CW);
+        gl.viewport(7, 7, 3, 3);
+        gl.clear_color(1.0, 0.0, 1.0, 0.0);
+        gl.clear_depth_f32(0.5);
+        gl.depth_range_f32(1.0, 0.0);
+        gl.pixel_store_i32(glow::UNPACK_ROW_LENGTH, 17);
+        gl.pixel_store_i32(glow::UNPACK_SKIP_PIXELS, 1);
+        gl.pixel_store_i32(glow::PACK_SKIP_ROWS, 1);
+        gl.active_texture(glow::TEXTURE3);
+    }
+}

@@ -82,24 +82,28 @@ impl Target {
 
     /// The finished picture: red, green, blue, top row first.
     pub(super) fn read(&self) -> Vec<u8> {
-        let side = usize::try_from(self.side).unwrap_or(0);
-        let mut pixels = vec![0; side * side * 4];
         self.finished.bind(glow::READ_FRAMEBUFFER);
-        let gl = &self.finished.gl;
-        // SAFETY: the context is current, the slice holds four bytes for each pixel, and rows of such pixels have no gaps
-        // at any alignment.
-        unsafe {
-            gl.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
-            gl.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
-            gl.pixel_store_i32(glow::PACK_SKIP_PIXELS, 0);
-            gl.pixel_store_i32(glow::PACK_SKIP_ROWS, 0);
-            let slice = glow::PixelPackData::Slice(Some(&mut pixels));
-            gl.read_pixels(0, 0, self.side, self.side, glow::RGBA, glow::UNSIGNED_BYTE, slice);
-            gl.bind_framebuffer(glow::FRAMEBUFFER, None);
-        }
-        let rows = pixels.chunks_exact(side * 4).rev();
-        rows.flat_map(|row| row.chunks_exact(4).flat_map(|pixel| &pixel[..3])).copied().collect()
+        read_bound(&self.finished.gl, self.side, self.side)
     }
+}
+
+/// What is in the framebuffer that is bound to be read, and then no longer is: red, green, blue, top row first.
+pub(super) fn read_bound(gl: &Context, width: i32, height: i32) -> Vec<u8> {
+    let [columns, rows] = [width, height].map(|pixels| usize::try_from(pixels).unwrap_or(0));
+    let mut pixels = vec![0; columns * rows * 4];
+    // SAFETY: the context is current, the slice holds four bytes for each pixel, and rows of such pixels have no gaps at
+    // any alignment.
+    unsafe {
+        gl.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
+        gl.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
+        gl.pixel_store_i32(glow::PACK_SKIP_PIXELS, 0);
+        gl.pixel_store_i32(glow::PACK_SKIP_ROWS, 0);
+        let slice = glow::PixelPackData::Slice(Some(&mut pixels));
+        gl.read_pixels(0, 0, width, height, glow::RGBA, glow::UNSIGNED_BYTE, slice);
+        gl.bind_framebuffer(glow::FRAMEBUFFER, None);
+    }
+    let rows = pixels.chunks_exact((columns * 4).max(1)).rev();
+    rows.flat_map(|row| row.chunks_exact(4).flat_map(|pixel| &pixel[..3])).copied().collect()
 }
 
 fn parameter(gl: &Context, name: u32) -> i32 {

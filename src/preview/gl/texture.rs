@@ -80,17 +80,7 @@ impl Texture {
             self.gl.pixel_store_i32(glow::UNPACK_ROW_LENGTH, 0);
             self.gl.pixel_store_i32(glow::UNPACK_SKIP_ROWS, 0);
             self.gl.pixel_store_i32(glow::UNPACK_SKIP_PIXELS, 0);
-            self.gl.tex_image_2d(
-                target,
-                0,
-                format,
-                width,
-                height,
-                0,
-                glow::RGB,
-                glow::UNSIGNED_BYTE,
-                pixels,
-            );
+            self.gl.tex_image_2d(target, 0, format, width, height, 0, glow::RGB, glow::UNSIGNED_BYTE, pixels);
             self.gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
         }
     }
