@@ -45,7 +45,9 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind: S::NAME, needs });
     checks.problems.extend(missing);
     tables.entities.insert(S::Columns::KIND, rows.iter().map(|row| row.entity).collect());
-    let table = S::table(Arc::make_mut(&mut tables.scene));
+    let scene = Arc::make_mut(&mut tables.scene);
+    S::forget_tree(&mut scene.trees);
+    let table = S::table(scene);
     *table = ShapeTable::default();
     for row in &rows {
         row.check::<T>(&mut checks);

@@ -4,6 +4,7 @@
 //! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
 //!                  extract_lights   only if lights changed, came or went
 //!                  extract_camera   always: two tangents
+//! Stage::Build     build_trees      only if a large table has no tree, or has changed
 //! Stage::Trace     trace            tables and camera to film, tiles in parallel
 //! (last)           end_frame        lets the World forget reports of removals
 //! ```
@@ -11,6 +12,7 @@
 //! Extraction comes before tracing because a frame is traced from tables alone: nothing can change under its
 //! threads. A user's own systems go `.before(Stage::Extract)`. Systems touch no file and hold no arithmetic.
 
+mod build_trees;
 mod changes;
 mod extract_camera;
 mod extract_lights;
@@ -27,6 +29,7 @@ use bevy_ecs::schedule::{IntoScheduleConfigs, Schedule};
 use crate::components::{Checkerboard, Cube, Pyramid, Sampling, Snapshot, Sphere};
 use crate::geometry::Real;
 
+use build_trees::{build_trees, trees_are_lacking};
 use changes::{lights_changed, objects_changed};
 use extract_camera::extract_camera;
 use extract_lights::extract_lights;
@@ -43,6 +46,8 @@ pub use workers::{Monitor, Workers, WorkersError};
 pub enum Stage {
     /// World to tables.
     Extract,
+    /// Tables to what makes them fast to search.
+    Build,
     /// Tables to film.
     Trace,
 }
@@ -60,18 +65,36 @@ pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
 /// The whole frame: every stage in its order. The World must be [`prepare`]d for the same precision.
 pub fn frame_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
-    schedule.configure_sets((Stage::Extract, Stage::Trace).chain());
+    schedule.configure_sets((Stage::Extract, Stage::Build, Stage::Trace).chain());
     add_extract::<T>(&mut schedule);
+    add_build::<T>(&mut schedule);
     add_trace::<T>(&mut schedule);
     schedule.add_systems(end_frame.after(Stage::Trace));
     schedule
 }
 
-/// [`Stage::Extract`] alone.
+/// All up to tables that can be traced: [`Stage::Extract`] and [`Stage::Build`].
 pub fn extract_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    schedule.configure_sets((Stage::Extract, Stage::Build).chain());
+    add_extract::<T>(&mut schedule);
+    add_build::<T>(&mut schedule);
+    schedule.add_systems(end_frame.after(Stage::Build));
+    schedule
+}
+
+/// [`Stage::Extract`] alone, for who measures the stages: what was extracted is to be built before it is traced.
+pub fn tables_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
     add_extract::<T>(&mut schedule);
     schedule.add_systems(end_frame.after(Stage::Extract));
+    schedule
+}
+
+/// [`Stage::Build`] alone.
+pub fn build_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    add_build::<T>(&mut schedule);
     schedule
 }
 
@@ -94,6 +117,10 @@ fn add_extract<T: Real>(schedule: &mut Schedule) {
         )
             .in_set(Stage::Extract),
     );
+}
+
+fn add_build<T: Real>(schedule: &mut Schedule) {
+    schedule.add_systems(build_trees::<T>.run_if(trees_are_lacking::<T>).in_set(Stage::Build));
 }
 
 fn add_trace<T: Real>(schedule: &mut Schedule) {

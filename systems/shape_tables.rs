@@ -6,7 +6,8 @@ use glam::DVec3;
 use crate::components::{Checkerboard, Cube, Pyramid, Sphere, Textured};
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable, SphereColumns,
+    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable,
+    SphereColumns, Trees,
 };
 
 /// A shape component.
@@ -25,6 +26,8 @@ pub(super) trait ExtractShape<T: Real>: Shape {
 
     /// Its table among all.
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns>;
+    /// Drops the tree of its table, which is about to change.
+    fn forget_tree(trees: &mut Trees<T>);
     /// Adds a row for this shape.
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>);
 }
@@ -42,6 +45,10 @@ impl<T: Real> ExtractShape<T> for Sphere {
 
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
         &mut scene.spheres
+    }
+
+    fn forget_tree(trees: &mut Trees<T>) {
+        trees.spheres = None;
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
@@ -65,6 +72,10 @@ impl<T: Real> ExtractShape<T> for Cube {
         &mut scene.cubes
     }
 
+    fn forget_tree(trees: &mut Trees<T>) {
+        trees.cubes = None;
+    }
+
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
         columns.push(CubeShape::new(position, self.side));
     }
@@ -83,6 +94,10 @@ impl<T: Real> ExtractShape<T> for Pyramid {
 
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
         &mut scene.pyramids
+    }
+
+    fn forget_tree(trees: &mut Trees<T>) {
+        trees.pyramids = None;
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
@@ -104,6 +119,8 @@ impl<T: Real> ExtractShape<T> for Checkerboard {
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
         &mut scene.boards
     }
+
+    fn forget_tree(_trees: &mut Trees<T>) {}
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {
         let texture = textured

@@ -56,12 +56,7 @@ const ROOMS: &[Room] = &[
         rooms: &["geometry"],
         may: &[(Tolerance, Only(&["range.rs"]))],
     },
-    Room {
-        place: "src/geometry",
-        crates: &[("glam", All), ("libm", Only(&["real.rs", "pyramid.rs"]))],
-        rooms: &[],
-        may: &[(Tolerance, All)],
-    },
+    Room { place: "src/geometry", crates: &[("glam", All)], rooms: &[], may: &[(Tolerance, All)] },
     Room {
         place: "src/effects",
         crates: &[("glam", All), ("libm", Only(&["spot_cone.rs"]))],

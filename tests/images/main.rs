@@ -12,8 +12,10 @@
 
 mod agreement;
 mod closed_forms;
+mod crowds;
 mod metamorphic;
 mod naive;
+mod paths;
 #[path = "../support/mod.rs"]
 mod support;
 mod transforms;
