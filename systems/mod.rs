@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
+//!                                   row by row where values changed in few of them
 //!                  extract_lights   only if lights changed, came or went
 //!                  extract_camera   always: two tangents
 //! Stage::Build     build_trees      only if a large table has no tree, or has changed

@@ -7,7 +7,7 @@ use crate::components::{Checkerboard, Cube, Pyramid, Sphere, Textured};
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
     BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable,
-    SphereColumns, Trees,
+    SphereColumns, Trees, refit_tree,
 };
 
 /// A shape component.
@@ -28,6 +28,10 @@ pub(super) trait ExtractShape<T: Real>: Shape {
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns>;
     /// Drops the tree of its table, which is about to change.
     fn forget_tree(trees: &mut Trees<T>);
+    /// Brings the tree of its table up to date with some rows that changed.
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]);
+    /// Writes this shape over a row, if that can be done.
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool;
     /// Adds a row for this shape.
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>);
 }
@@ -49,6 +53,18 @@ impl<T: Real> ExtractShape<T> for Sphere {
 
     fn forget_tree(trees: &mut Trees<T>) {
         trees.spheres = None;
+    }
+
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]) {
+        refit_tree(&mut scene.trees.spheres, &scene.spheres.shapes, rows);
+    }
+
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool {
+        columns.replace(
+            row,
+            SphereShape { center: Vector::from_dvec3(position), radius: T::from_f64(self.radius) },
+        );
+        true
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
@@ -76,6 +92,15 @@ impl<T: Real> ExtractShape<T> for Cube {
         trees.cubes = None;
     }
 
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]) {
+        refit_tree(&mut scene.trees.cubes, &scene.cubes.shapes, rows);
+    }
+
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool {
+        columns.replace(row, CubeShape::new(position, self.side));
+        true
+    }
+
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
         columns.push(CubeShape::new(position, self.side));
     }
@@ -100,6 +125,15 @@ impl<T: Real> ExtractShape<T> for Pyramid {
         trees.pyramids = None;
     }
 
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]) {
+        refit_tree(&mut scene.trees.pyramids, &scene.pyramids.shapes, rows);
+    }
+
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool {
+        columns.replace(row, PyramidShape::new(position, self.width, self.height));
+        true
+    }
+
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
         columns.push(PyramidShape::new(position, self.width, self.height));
     }
@@ -121,6 +155,13 @@ impl<T: Real> ExtractShape<T> for Checkerboard {
     }
 
     fn forget_tree(_trees: &mut Trees<T>) {}
+
+    fn refit(_scene: &mut SceneTables<T>, _rows: &[u32]) {}
+
+    /// There are few boards.
+    fn replace(&self, _columns: &mut Self::Columns, _row: usize, _position: DVec3) -> bool {
+        false
+    }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {
         let texture = textured

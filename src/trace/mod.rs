@@ -40,4 +40,4 @@ pub use simd::Simd;
 pub use surface_table::{GlossRow, SurfaceRow, SurfaceTable};
 pub use tables::{SceneTables, ShapeTable, Trees};
 pub use tile::Exposure;
-pub use tree::{Fork, Packed, SMALLEST_TREE, Sequential, Tree};
+pub use tree::{Fork, Packed, SMALLEST_TREE, Sequential, Tree, refit_tree};

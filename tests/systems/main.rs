@@ -10,6 +10,7 @@
 )]
 
 mod describe;
+mod edits;
 mod extraction;
 mod frames;
 mod problems;

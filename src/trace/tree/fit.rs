@@ -1,5 +1,7 @@
 //! Boxes, from the leaves up.
 
+use std::sync::Arc;
+
 use crate::geometry::{Bounded as _, Bounds3, Real, Vector};
 use crate::trace::ShapeColumns;
 
@@ -53,6 +55,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
             leaf_of,
             leaf_parents,
             parents,
+            moved: 0,
             rounding: T::ZERO,
         };
         let mut boxes = Vec::with_capacity(rows.len());
@@ -80,8 +83,19 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         }
     }
 
+    /// Whether so many rows moved that the tree should be built again: boxes only fit as well as who is whose child.
+    fn is_worn(&self) -> bool {
+        self.moved > self.leaf_of.len() / 2
+    }
+
+    /// How many rows moved since it was built.
+    pub fn moved(&self) -> usize {
+        self.moved
+    }
+
     /// Takes over the shapes of some rows that changed in the table, and moves the boxes above them.
     pub fn refit<C: ShapeColumns<T, Shape = S>>(&mut self, shapes: &C, rows: &[u32]) {
+        self.moved += rows.len();
         for &row in rows {
             let leaf = self.leaf_of[row as usize];
             let (fitted, bounds, rounding) = fit_leaf(shapes, self.leaves[leaf as usize].rows);
@@ -106,6 +120,19 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
             child = node;
             node = self.parents[node as usize];
         }
+    }
+}
+
+/// Brings a tree, if there is one, up to date with some rows that changed; drops it if it is worn.
+pub fn refit_tree<T: Real, C>(tree: &mut Option<Arc<Tree<T, C::Shape>>>, shapes: &C, rows: &[u32])
+where
+    C: ShapeColumns<T, Shape: Packed<T>>,
+{
+    if let Some(tree) = tree {
+        Arc::make_mut(tree).refit(shapes, rows);
+    }
+    if tree.as_ref().is_some_and(|tree| tree.is_worn()) {
+        *tree = None;
     }
 }
 

@@ -17,6 +17,7 @@ use build::{Topology, topology};
 use fit::Node;
 
 pub use build::{Fork, Sequential};
+pub use fit::refit_tree;
 pub use pack::Packed;
 pub(super) use traverse::{Stack, TreeRay, TreeSearch};
 
@@ -37,6 +38,8 @@ pub struct Tree<T: Real, S: Packed<T>> {
     /// For each leaf its node, and for each node its parent; the root is its own.
     leaf_parents: Vec<u32>,
     parents: Vec<u32>,
+    /// Rows that moved since the tree was built.
+    moved: usize,
     /// The largest rounding of a shape, see [`Ball`](crate::geometry::Ball).
     rounding: T,
 }
