@@ -123,33 +123,10 @@ pub(super) fn mask(is_true: impl Fn(usize) -> bool) -> u32 {
     bits
 }
 
-/// The least of all lanes, none of them NaN.
-#[inline(always)]
-pub(super) fn least<T: Real>(values: &Lanes<T>) -> T {
-    fold(values, T::at_most)
-}
-
 /// The greatest of all lanes, none of them NaN.
 #[inline(always)]
 pub(super) fn greatest<T: Real>(values: &Lanes<T>) -> T {
-    fold(values, T::at_least)
-}
-
-/// The sum of all lanes, in pairs.
-#[inline(always)]
-pub(super) fn sum<T: Real>(values: &Lanes<T>) -> T {
-    fold(values, |a, b| a + b)
-}
-
-#[inline(always)]
-fn fold<T: Real>(values: &Lanes<T>, join: impl Fn(T, T) -> T) -> T {
-    let mut rest = *values;
-    let mut half = LANES / 2;
-    while half > 0 {
-        for lane in 0..half {
-            rest[lane] = join(rest[lane], rest[lane + half]);
-        }
-        half /= 2;
-    }
-    rest[0]
+    let eight: [T; 8] = core::array::from_fn(|lane| values[lane].at_least(values[lane + 8]));
+    let four: [T; 4] = core::array::from_fn(|lane| eight[lane].at_least(eight[lane + 4]));
+    four[0].at_least(four[2]).at_least(four[1].at_least(four[3]))
 }
