@@ -1,5 +1,8 @@
 //! Which vector instructions there are: the one place that chooses between copies of the same code.
-#![expect(unsafe_code, reason = "calling code for instructions that were found to be there")]
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(unsafe_code, reason = "calling code for instructions that were found to be there")
+)]
 
 use core::marker::PhantomData;
 
