@@ -1,11 +1,13 @@
-//! A picture from entities, without a scene file: `cargo run --release --example still_life [PICTURE]`.
+//! A scene from entities, without a file: `cargo run --release --example still_life [PICTURE]`.
+//!
+//! Without a picture to write it opens a window.
 //!
 //! An object is an entity with a position, a shape and what its surface can do. What it does not say it does not
 //! do: the plinth has no `Gloss` and no `Mirror`.
 
 use std::env;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::Path;
 
 use archetrace::components::{
     Ambient, CameraPose, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Lens, Light, Mirror, Position,
@@ -13,25 +15,29 @@ use archetrace::components::{
 };
 use archetrace::image_file;
 use archetrace::systems::{Frame, Workers, frame_schedule, prepare};
+use archetrace::viewer::Viewer;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let picture = env::args_os().nth(1).map_or_else(|| "still_life.bmp".into(), PathBuf::from);
-
     let mut world = World::new();
     spawn_camera(&mut world)?;
     spawn_table(&mut world);
     spawn_fruit(&mut world);
     spawn_lights(&mut world);
 
-    // The World says what there is; the schedule makes a picture of it.
+    match env::args_os().nth(1) {
+        Some(picture) => save(world, Path::new(&picture)),
+        None => Ok(Viewer::new("still_life", world).run()?),
+    }
+}
+
+/// The World says what there is; the schedule makes a picture of it.
+fn save(mut world: World, picture: &Path) -> Result<(), Box<dyn Error>> {
     prepare::<f64>(&mut world, Workers::new(None)?);
     frame_schedule::<f64>().run(&mut world);
-
     let (film, _) = world.resource::<Frame>().traced()?;
-    image_file::save(film, &picture)?;
-    Ok(())
+    Ok(image_file::save(film, picture)?)
 }
 
 fn spawn_camera(world: &mut World) -> Result<(), Box<dyn Error>> {

@@ -1,11 +1,13 @@
 //! Many entities from a loop: `cargo run --release --example thousand_spheres [PICTURE]`.
 //!
+//! Without a picture to write it opens a window.
+//!
 //! The seeds of a sunflower: each ball is turned by the golden angle against the one before, a little further out.
 
 use std::env;
 use std::error::Error;
 use std::f64::consts::PI;
-use std::path::PathBuf;
+use std::path::Path;
 
 use archetrace::components::{
     Ambient, CameraPose, Checkerboard, Color, Diffuse, Falloff, Gloss, Lens, Light, Mirror, Position,
@@ -13,14 +15,13 @@ use archetrace::components::{
 };
 use archetrace::image_file;
 use archetrace::systems::{Frame, Workers, frame_schedule, prepare};
+use archetrace::viewer::Viewer;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
 const COUNT: u32 = 1000;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let picture = env::args_os().nth(1).map_or_else(|| "thousand_spheres.bmp".into(), PathBuf::from);
-
     let mut world = World::new();
     let look = DVec3::new(0.0, 1.0, -0.85);
     let pose = CameraPose::looking(DVec3::new(0.0, -150.0, 135.0), look, DVec3::Z).ok_or("no direction")?;
@@ -33,11 +34,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         world.spawn(seed(index));
     }
 
+    match env::args_os().nth(1) {
+        Some(picture) => save(world, Path::new(&picture)),
+        None => Ok(Viewer::new("thousand_spheres", world).run()?),
+    }
+}
+
+fn save(mut world: World, picture: &Path) -> Result<(), Box<dyn Error>> {
     prepare::<f64>(&mut world, Workers::new(None)?);
     frame_schedule::<f64>().run(&mut world);
     let (film, _) = world.resource::<Frame>().traced()?;
-    image_file::save(film, &picture)?;
-    Ok(())
+    Ok(image_file::save(film, picture)?)
 }
 
 /// One ball.

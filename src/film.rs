@@ -28,11 +28,22 @@ impl Film {
 
     /// The picture in 8 bits a channel, red, green, blue, top row first: each channel times 255, truncated.
     pub fn to_rgb8(&self) -> Vec<u8> {
-        self.pixels.iter().flatten().map(|&channel| quantize(channel)).collect()
+        self.mean_to_rgb8(1)
+    }
+
+    /// The same of a film that holds the sums of that many samples: what [`Self::divide`] and [`Self::to_rgb8`] give,
+    /// but the sums stay.
+    pub fn mean_to_rgb8(&self, samples: u32) -> Vec<u8> {
+        let count = f64::from(samples);
+        self.pixels.iter().flatten().map(|&channel| quantize(channel / count)).collect()
     }
 
     /// Divides every pixel, as the sum of that many samples.
     pub fn divide(&mut self, samples: u32) {
+        // Nothing changes for one, and reading a large film takes its time.
+        if samples == 1 {
+            return;
+        }
         let count = f64::from(samples);
         self.pixels.iter_mut().flatten().for_each(|channel| *channel /= count);
     }

@@ -50,9 +50,15 @@ pub fn format_of(path: &Path) -> Result<ImageFormat, ImageFileError> {
 
 /// The bytes of a picture file: 24-bit BMP or 8-bit RGB PNG by the path's ending.
 pub fn encode(film: &Film, path: &Path) -> Result<Vec<u8>, ImageFileError> {
+    encode_rgb8(film.side(), film.to_rgb8(), path)
+}
+
+/// The same of a picture of `side` by `side` pixels in 8 bits a channel: red, green, blue, top row first. Bytes that do
+/// not fit the side make an empty picture.
+pub fn encode_rgb8(side: u32, rgb: Vec<u8>, path: &Path) -> Result<Vec<u8>, ImageFileError> {
     let format = format_of(path)?;
     let mut bytes = Vec::new();
-    let image = RgbImage::from_raw(film.side(), film.side(), film.to_rgb8()).unwrap_or_default();
+    let image = RgbImage::from_raw(side, side, rgb).unwrap_or_default();
     DynamicImage::ImageRgb8(image)
         .write_to(&mut Cursor::new(&mut bytes), format)
         .map_err(|error| ImageFileError::Encode(path.to_owned(), error))?;

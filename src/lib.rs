@@ -1,7 +1,8 @@
 //! A data-oriented ray tracer: a scene is an ECS World, a picture is traced from its component tables.
 //!
 //! ```text
-//! scene file -parse-> Description -spawn-> World -extract-> SceneTables -trace-> Film -> BMP, PNG
+//! scene file -parse-> Description -spawn-> World -extract-> SceneTables -trace-> Film -> BMP, PNG, window
+//!                                            \-list_draws-> DrawList -preview-> GL
 //! ```
 //!
 //! Nothing points back. Objects, lights and camera are entities; what they can do is said by [`components`];
@@ -13,7 +14,7 @@
 //! | camera | position and orthonormal `l` (look), `r` (right), `u` (up), `u = r x l` |
 //! | angles | degrees in components and files |
 //! | colour | linear, 0 to 1; 8 bits = channel times 255, truncated |
-//! | picture | square; row 0 is the top, column 0 the left; rays through pixel centres |
+//! | picture | square; row 0 is the top, column 0 the left; rays through pixel centres; n x n samples are the pixels of an n times finer picture |
 //! | level | rays that may follow each other: 0 black, 1 no mirror image |
 //! | precision | `f64` unless asked for `f32` |
 //!
@@ -39,8 +40,12 @@ pub mod effects;
 pub mod film;
 pub mod geometry;
 pub mod image_file;
+#[cfg(feature = "viewer")]
+pub mod preview;
 pub mod scene;
 #[path = "../systems/mod.rs"]
 pub mod systems;
 pub mod trace;
+#[cfg(feature = "viewer")]
+pub mod viewer;
 pub mod whole_file;

@@ -2,8 +2,8 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::range::{FIELD_OF_VIEW, LENGTH, MAX_LEVEL, MAX_PIXELS, RATIO};
-use crate::components::{CameraPose, Lens, Snapshot};
+use crate::components::range::{FIELD_OF_VIEW, LENGTH, MAX_GRID, MAX_LEVEL, MAX_PIXELS, RATIO};
+use crate::components::{CameraPose, Lens, Sampling, Snapshot};
 use crate::geometry::{Real, is_camera_basis};
 use crate::trace::CameraRays;
 
@@ -13,11 +13,11 @@ use super::problem::{Checks, WorldProblem};
 /// Sets up the rays of the one camera there must be, for the size of the snapshot.
 pub(super) fn extract_camera<T: Real>(
     cameras: Query<(Entity, &CameraPose, &Lens)>,
-    snapshot: Res<Snapshot>,
+    (snapshot, sampling): (Res<Snapshot>, Res<Sampling>),
     mut tables: ResMut<Tables<T>>,
 ) {
     let mut checks = Checks::default();
-    check_snapshot(&snapshot, &mut checks);
+    check_settings(&snapshot, &sampling, &mut checks);
     tables.camera = match cameras.single() {
         Ok((entity, pose, lens)) => {
             check_camera::<T>(entity, pose, lens, &mut checks);
@@ -31,11 +31,15 @@ pub(super) fn extract_camera<T: Real>(
     tables.problems.insert("Camera", checks.problems);
 }
 
-fn check_snapshot(snapshot: &Snapshot, checks: &mut Checks) {
-    let values = [("pixels", snapshot.pixels, 1, MAX_PIXELS), ("level", snapshot.level, 0, MAX_LEVEL)];
+fn check_settings(snapshot: &Snapshot, sampling: &Sampling, checks: &mut Checks) {
+    let values = [
+        ("Snapshot.pixels", snapshot.pixels, 1, MAX_PIXELS),
+        ("Snapshot.level", snapshot.level, 0, MAX_LEVEL),
+        ("Sampling.side", sampling.side, 1, MAX_GRID),
+    ];
     for (value, found, low, high) in values {
         if !(low..=high).contains(&found) {
-            checks.problems.push(WorldProblem::Snapshot { value, found, low, high });
+            checks.problems.push(WorldProblem::Setting { value, found, low, high });
         }
     }
 }

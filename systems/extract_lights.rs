@@ -41,6 +41,7 @@ pub(super) fn extract_lights<T: Real>(
         source.check::<T>(&mut checks);
         table.push(source.row());
     }
+    tables.revision += 1;
     Arc::make_mut(&mut tables.scene).lights = table;
     tables.problems.insert("Light", checks.problems);
 }

@@ -19,7 +19,8 @@ use super::changes::{Census, ObjectChange, ObjectGain};
 use super::problem::{Checks, WorldProblem};
 use super::shape_tables::{ExtractShape, Shape};
 
-type ObjectData<S> = (
+/// An object and everything that tells it apart.
+pub(super) type ObjectData<S> = (
     Entity,
     &'static S,
     &'static Position,
@@ -27,7 +28,8 @@ type ObjectData<S> = (
     Option<&'static Order>,
     (Option<&'static Gloss>, Option<&'static Mirror>, Option<&'static Textured>),
 );
-type Objects<'w, 's, S> = Query<'w, 's, ObjectData<S>>;
+/// Objects with shape `S`.
+pub(super) type Objects<'w, 's, S> = Query<'w, 's, ObjectData<S>>;
 
 type Lacking = Or<(Without<Position>, Without<Color>, Without<Ambient>, Without<Diffuse>)>;
 
@@ -46,6 +48,7 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     mut edits: Edits<S>,
     mut tables: ResMut<Tables<T>>,
 ) {
+    tables.revision += 1;
     let same_components = !edits.census.differs();
     if !(same_components && replace_rows(&edits, &mut tables)) {
         rebuild(&objects, &incomplete, &mut tables);
@@ -125,21 +128,21 @@ fn rebuild<T: Real, S: ExtractShape<T>>(
 }
 
 /// One object as the World has it.
-struct ObjectRow<S> {
-    entity: Entity,
-    shape: S,
-    position: DVec3,
-    order: u32,
-    color: DVec3,
-    ambient: f64,
-    diffuse: f64,
-    gloss: Option<Gloss>,
-    mirror: Option<Mirror>,
-    textured: Option<Textured>,
+pub(super) struct ObjectRow<S> {
+    pub(super) entity: Entity,
+    pub(super) shape: S,
+    pub(super) position: DVec3,
+    pub(super) order: u32,
+    pub(super) color: DVec3,
+    pub(super) ambient: f64,
+    pub(super) diffuse: f64,
+    pub(super) gloss: Option<Gloss>,
+    pub(super) mirror: Option<Mirror>,
+    pub(super) textured: Option<Textured>,
 }
 
 /// Walks the component tables slice by slice.
-fn gather<S: Shape>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
+pub(super) fn gather<S: Shape>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
     let mut rows = Vec::with_capacity(objects.iter().len());
     // Fails only for components with sparse storage, and none of ours has it.
     for slices in objects.contiguous_iter().into_iter().flatten() {
@@ -180,7 +183,7 @@ impl<S: Shape> ObjectRow<S> {
 
     /// Scene order first. Rows without one are sorted by value, never by how the World happens to store them:
     /// bevy reorders its tables on despawn and insert, and the picture must not change when it does.
-    fn compare(&self, other: &Self) -> Ordering {
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
         let by_value = || {
             let pairs = self.values().into_iter().zip(other.values());
             pairs.map(|(a, b)| a.total_cmp(&b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)

@@ -21,6 +21,8 @@ pub struct Tables<T: Real> {
     pub scene: Arc<SceneTables<T>>,
     /// The camera's rays; absent until there is exactly one usable camera.
     pub camera: Option<CameraRays<T>>,
+    /// Grows with every change of the tables of objects and lights.
+    pub(super) revision: u64,
     /// The entity of each row of the object tables.
     pub(super) entities: BTreeMap<Kind, Vec<Entity>>,
     /// What is wrong, by the table that it keeps from being right.
@@ -28,6 +30,11 @@ pub struct Tables<T: Real> {
 }
 
 impl<T: Real> Tables<T> {
+    /// A number that grows whenever the tables of objects or lights were extracted anew.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
     /// The entity that a row was extracted from.
     pub fn entity(&self, object: ObjectId) -> Option<Entity> {
         self.entities.get(&object.kind)?.get(object.row as usize).copied()

@@ -1,24 +1,32 @@
 //! What runs, and when: this page is the one place that orders systems.
 //!
 //! ```text
+//! Stage::Control   control_camera   the moves that were asked for, if any
 //! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
 //!                                   row by row where values changed in few of them
 //!                  extract_lights   only if lights changed, came or went
 //!                  extract_camera   always: two tangents
 //! Stage::Build     build_trees      only if a large table has no tree, or has changed
 //! Stage::Trace     trace            tables and camera to film, tiles in parallel
+//! Stage::List      list_objects     what the preview draws, per shape kind, only if that kind changed
+//!                  list_lights      only if lights changed
 //! (last)           end_frame        lets the World forget reports of removals
 //! ```
 //!
-//! Extraction comes before tracing because a frame is traced from tables alone: nothing can change under its
-//! threads. A user's own systems go `.before(Stage::Extract)`. Systems touch no file and hold no arithmetic.
+//! The camera moves before extraction, so that a frame shows what was asked for before it. Extraction comes before
+//! tracing because a frame is traced from tables alone: nothing can change under its threads. A user's own systems go
+//! `.before(Stage::Extract)`, those that ask for moves `.before(Stage::Control)`. The preview's list
+//! is a schedule of its own and reads neither tables nor film. Systems touch no file and hold no arithmetic.
 
 mod build_trees;
 mod changes;
+mod control_camera;
 mod extract_camera;
 mod extract_lights;
 mod extract_objects;
 mod frame;
+#[cfg(feature = "viewer")]
+mod list_draws;
 mod problem;
 mod shape_tables;
 mod trace;
@@ -27,17 +35,22 @@ mod workers;
 use bevy_ecs::prelude::*;
 use bevy_ecs::schedule::{IntoScheduleConfigs, Schedule};
 
-use crate::components::{Checkerboard, Cube, Pyramid, Sampling, Snapshot, Sphere};
+use crate::components::{CameraInput, Checkerboard, Cube, Pyramid, Sampling, Snapshot, Sphere};
 use crate::geometry::Real;
 
 use build_trees::{build_trees, trees_are_lacking};
 use changes::{lights_changed, objects_changed};
+use control_camera::control_camera;
 use extract_camera::extract_camera;
 use extract_lights::extract_lights;
 use extract_objects::extract_objects;
+#[cfg(feature = "viewer")]
+use list_draws::{list_lights, list_objects};
 use trace::trace;
 
 pub use frame::{Frame, FrameError, Tables};
+#[cfg(feature = "viewer")]
+pub use list_draws::Drawn;
 pub use problem::WorldProblem;
 pub use trace::{trace_pass, trace_picture};
 pub use workers::{Monitor, Workers, WorkersError};
@@ -45,32 +58,47 @@ pub use workers::{Monitor, Workers, WorkersError};
 /// Parts of a frame, in the order in which they run.
 #[derive(SystemSet, Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
+    /// What was asked of the camera to its pose.
+    Control,
     /// World to tables.
     Extract,
     /// Tables to what makes them fast to search.
     Build,
     /// Tables to film.
     Trace,
+    /// World to what the preview draws.
+    List,
 }
 
 /// Gives a World what the schedules need besides entities: empty tables, a frame, settings where it has none.
 pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
+    world.init_resource::<CameraInput>();
     world.init_resource::<Snapshot>();
     world.init_resource::<Sampling>();
     world.init_resource::<Monitor>();
     world.init_resource::<Frame>();
     world.init_resource::<Tables<T>>();
+    #[cfg(feature = "viewer")]
+    world.init_resource::<Drawn>();
     world.insert_resource(workers);
 }
 
 /// The whole frame: every stage in its order. The World must be [`prepare`]d for the same precision.
 pub fn frame_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
-    schedule.configure_sets((Stage::Extract, Stage::Build, Stage::Trace).chain());
+    schedule.configure_sets((Stage::Control, Stage::Extract, Stage::Build, Stage::Trace).chain());
+    add_control(&mut schedule);
     add_extract::<T>(&mut schedule);
     add_build::<T>(&mut schedule);
     add_trace::<T>(&mut schedule);
     schedule.add_systems(end_frame.after(Stage::Trace));
+    schedule
+}
+
+/// [`Stage::Control`] alone. It needs a [`CameraInput`], which [`prepare`] gives a World.
+pub fn control_schedule() -> Schedule {
+    let mut schedule = Schedule::default();
+    add_control(&mut schedule);
     schedule
 }
 
@@ -104,6 +132,27 @@ pub fn trace_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
     add_trace::<T>(&mut schedule);
     schedule
+}
+
+/// [`Stage::List`] alone. It needs a [`Drawn`], which [`prepare`] gives a World.
+#[cfg(feature = "viewer")]
+pub fn list_schedule() -> Schedule {
+    let mut schedule = Schedule::default();
+    schedule.add_systems(
+        (
+            list_objects::<Sphere>.run_if(objects_changed::<Sphere>),
+            list_objects::<Cube>.run_if(objects_changed::<Cube>),
+            list_objects::<Pyramid>.run_if(objects_changed::<Pyramid>),
+            list_objects::<Checkerboard>.run_if(objects_changed::<Checkerboard>),
+            list_lights.run_if(lights_changed),
+        )
+            .in_set(Stage::List),
+    );
+    schedule
+}
+
+fn add_control(schedule: &mut Schedule) {
+    schedule.add_systems(control_camera.in_set(Stage::Control));
 }
 
 fn add_extract<T: Real>(schedule: &mut Schedule) {

@@ -80,10 +80,10 @@ pub enum WorldProblem {
         /// How many there are.
         found: usize,
     },
-    /// A picture of an impossible size or depth.
-    #[error("Snapshot.{value} is {found}, but must be from {low} to {high}")]
-    Snapshot {
-        /// The field.
+    /// A picture of an impossible size, depth or number of samples.
+    #[error("{value} is {found}, but must be from {low} to {high}")]
+    Setting {
+        /// Resource and field.
         value: &'static str,
         /// The value.
         found: u32,

@@ -59,8 +59,8 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Calls `on_tile` with the number of pixels of each finished tile, from any thread; no further row of
-    /// pixels is started once `cancel` is set.
+    /// Calls `on_tile` with the number of pixels of each finished tile, once for each of their samples, from any
+    /// thread; no further row of pixels is started once `cancel` is set.
     pub fn new(on_tile: impl Fn(u64) + Send + Sync + 'static, cancel: Arc<AtomicBool>) -> Self {
         Self { on_tile: Arc::new(on_tile), cancel }
     }

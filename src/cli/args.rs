@@ -1,18 +1,22 @@
 //! What can be asked for.
 
+use std::env;
+use std::ffi::OsString;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::TypedValueParser;
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{Args as ClapArgs, CommandFactory, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
-use crate::components::range::{COORDINATE, MAX_LEVEL, MAX_PIXELS};
+use crate::components::range::{COORDINATE, MAX_GRID, MAX_LEVEL, MAX_PIXELS};
+use crate::components::{self, Sampling};
 use crate::image_file::format_of;
 
 const EXAMPLES: &str = "\
 Examples:
+  archetrace scenes/official.txt
   archetrace render scenes/official.txt -o official.bmp
   archetrace render scenes/official.txt -o side.png --eye -150,-50,60 --look 1,0.4,-0.2 --size 512
   archetrace check scenes/official.txt";
@@ -20,16 +24,24 @@ Examples:
 /// A data-oriented ray tracer: scene description in, picture out.
 #[derive(Debug, Parser)]
 #[command(version, about, after_help = EXAMPLES)]
+#[cfg_attr(feature = "viewer", command(override_usage = USAGE))]
 pub(super) struct Args {
     #[command(subcommand)]
-    pub(super) command: Command,
+    command: Command,
 }
+
+#[cfg(feature = "viewer")]
+const USAGE: &str = "archetrace <COMMAND>\n       archetrace <SCENE>  (short for: archetrace view <SCENE>)";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     Render(RenderArgs),
+    #[cfg(feature = "viewer")]
+    Preview(PreviewArgs),
     Check(CheckArgs),
     Write(WriteArgs),
+    #[cfg(feature = "viewer")]
+    View(ViewArgs),
 }
 
 /// Trace a scene and write the picture.
@@ -41,30 +53,19 @@ pub(super) struct RenderArgs {
     /// Picture to write: .bmp or .png
     #[arg(short, long, value_name = "OUT", value_parser = picture_path())]
     pub(super) output: PathBuf,
-    /// Eye position
-    #[arg(long, value_name = "X,Y,Z", default_value = "0,-150,50", value_parser = point, allow_hyphen_values = true)]
-    pub(super) eye: DVec3,
-    /// Direction to look in; any length but 0
-    #[arg(long, value_name = "X,Y,Z", default_value = "0,1,0", value_parser = direction, allow_hyphen_values = true)]
-    pub(super) look: DVec3,
-    /// Direction to the top of the picture; any length but 0
-    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,1", value_parser = direction, allow_hyphen_values = true)]
-    pub(super) up: DVec3,
+    #[command(flatten)]
+    pub(super) camera: CameraArgs,
     /// Pixels along each side [default: the scene's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_PIXELS)))]
     pub(super) size: Option<u32>,
     /// Level of recursion: 0 is black, 1 has no mirror image [default: the scene's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_LEVEL)))]
     pub(super) level: Option<u32>,
-    /// Lay images on the checkerboard: `texture_w.bmp` and `texture_b.bmp` beside the scene, or built-in ones
-    #[arg(long)]
-    pub(super) texture: bool,
-    /// Image for the white cells
-    #[arg(long, value_name = "FILE", requires = "texture")]
-    pub(super) white: Option<PathBuf>,
-    /// Image for the black cells
-    #[arg(long, value_name = "FILE", requires = "texture")]
-    pub(super) black: Option<PathBuf>,
+    /// Samples of each pixel, on a regular grid: 1, 4, 9, 16, ... The pixel is their mean
+    #[arg(long, value_name = "N", default_value = "1", value_parser = samples)]
+    pub(super) samples: Sampling,
+    #[command(flatten)]
+    pub(super) images: ImageArgs,
     /// Floating-point precision of the trace
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     pub(super) precision: Precision,
@@ -74,6 +75,82 @@ pub(super) struct RenderArgs {
     /// Write what was measured and counted
     #[arg(long, value_name = "FILE.json")]
     pub(super) stats: Option<PathBuf>,
+}
+
+/// Where the camera stands and where it looks.
+#[derive(Debug, ClapArgs)]
+pub(super) struct CameraArgs {
+    /// Eye position
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,-150,50", value_parser = point, allow_hyphen_values = true)]
+    pub(super) eye: DVec3,
+    /// Direction to look in; any length but 0
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,1,0", value_parser = direction, allow_hyphen_values = true)]
+    pub(super) look: DVec3,
+    /// Direction to the top of the picture; any length but 0
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,0,1", value_parser = direction, allow_hyphen_values = true)]
+    pub(super) up: DVec3,
+}
+
+/// What lies on the checkerboard.
+#[derive(Debug, ClapArgs)]
+pub(super) struct ImageArgs {
+    /// Lay images on the checkerboard: `texture_w.bmp` and `texture_b.bmp` beside the scene, or built-in ones
+    #[arg(long)]
+    pub(super) texture: bool,
+    /// Image for the white cells
+    #[arg(long, value_name = "FILE", requires = "texture")]
+    pub(super) white: Option<PathBuf>,
+    /// Image for the black cells
+    #[arg(long, value_name = "FILE", requires = "texture")]
+    pub(super) black: Option<PathBuf>,
+}
+
+/// Draw the preview of a scene off screen and write the picture.
+#[cfg(feature = "viewer")]
+#[derive(Debug, Parser)]
+#[command(after_help = PREVIEW_HELP)]
+pub(super) struct PreviewArgs {
+    /// Scene description
+    pub(super) scene: PathBuf,
+    /// Picture to write: .bmp or .png
+    #[arg(short, long, value_name = "OUT", value_parser = picture_path())]
+    pub(super) output: PathBuf,
+    #[command(flatten)]
+    pub(super) camera: CameraArgs,
+    /// Pixels along each side [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_PIXELS)))]
+    pub(super) size: Option<u32>,
+    #[command(flatten)]
+    pub(super) images: ImageArgs,
+    /// Mark lights, and the cones of spotlights
+    #[arg(long)]
+    pub(super) lights: bool,
+    /// Draw the world's axes: x red, y green, z blue
+    #[arg(long)]
+    pub(super) axes: bool,
+    /// One sample a pixel, so that every pixel shows one object alone
+    #[arg(long)]
+    pub(super) plain: bool,
+}
+
+#[cfg(feature = "viewer")]
+const PREVIEW_HELP: &str = "\
+Objects show their own colour, without light. The camera is that of `archetrace render`. OpenGL 3.3 is needed, a \
+display is not.
+
+Examples:
+  archetrace preview scenes/official.txt -o official.png
+  archetrace preview scenes/cone_edge.txt -o lights.png --lights --axes --eye 0,-200,120 --look 0,1,-0.5";
+
+impl ImageArgs {
+    /// The images that are asked for, as arguments.
+    #[cfg(feature = "viewer")]
+    pub(super) fn arguments(&self) -> Vec<OsString> {
+        let named = [("--white", &self.white), ("--black", &self.black)];
+        let files =
+            named.into_iter().filter_map(|(flag, file)| Some([flag.into(), file.clone()?.into_os_string()]));
+        std::iter::once("--texture".into()).chain(files.flatten()).collect()
+    }
 }
 
 const RENDER_HELP: &str = "\
@@ -86,17 +163,28 @@ Examples:
   archetrace render scenes/official.txt -o side.bmp --eye=-150,-50,60 --look 1,0.4,-0.2 --stats side.json";
 
 impl Args {
-    /// The arguments of the process. Ends it with status 2 if they make no sense, with 0 after `--help`.
-    pub(super) fn of_process() -> Self {
-        let args = Self::parse();
-        match &args.command {
+    /// The command of the process. Ends it with status 2 if the arguments make no sense, with 0 after `--help`.
+    pub(super) fn of_process() -> Command {
+        let command = Self::parse_from(with_command(env::args_os().collect())).command;
+        match &command {
             Command::Render(render) if render.stats.as_ref() == Some(&render.output) => {
                 let message = "--stats and --output must be different files";
                 Self::command().error(ErrorKind::ArgumentConflict, message).exit()
             }
-            _ => args,
+            _ => command,
         }
     }
+}
+
+/// A file instead of a command is a scene to view.
+fn with_command(mut arguments: Vec<OsString>) -> Vec<OsString> {
+    let names_file = |word: &OsString| Path::new(word).components().count() > 1 || Path::new(word).is_file();
+    let is_command = |word: &OsString| Args::command().find_subcommand(word).is_some();
+    if cfg!(feature = "viewer") && arguments.get(1).is_some_and(|word| names_file(word) && !is_command(word))
+    {
+        arguments.insert(1, "view".into());
+    }
+    arguments
 }
 
 /// Validate a scene and print what is in it.
@@ -116,6 +204,33 @@ pub(super) struct WriteArgs {
     pub(super) output: Option<PathBuf>,
 }
 
+/// Open a window on a scene: fly through it, edit it, trace it with 0.
+#[cfg(feature = "viewer")]
+#[derive(Debug, Parser)]
+pub(super) struct ViewArgs {
+    /// Scene description
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) camera: CameraArgs,
+    #[command(flatten)]
+    pub(super) images: ImageArgs,
+    /// Floating-point precision of the trace
+    #[arg(long, value_enum, default_value_t = Precision::F64)]
+    pub(super) precision: Precision,
+    /// Threads that trace [default: one per processor]
+    #[arg(long, value_name = "N", value_parser = thread_count())]
+    pub(super) threads: Option<NonZeroUsize>,
+    /// Folder for traced pictures [default: the current one]
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Write the camera's pose to standard output, at the start and at every change
+    #[arg(long)]
+    pub(super) print_camera: bool,
+    /// Write whatever happens to standard output, one JSON object a line
+    #[arg(long)]
+    pub(super) print_events: bool,
+}
+
 /// Floating-point precision of the trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Precision {
@@ -123,6 +238,15 @@ pub(super) enum Precision {
     F64,
     /// Single precision
     F32,
+}
+
+impl From<Precision> for components::Precision {
+    fn from(precision: Precision) -> Self {
+        match precision {
+            Precision::F64 => Self::F64,
+            Precision::F32 => Self::F32,
+        }
+    }
 }
 
 fn picture_path() -> impl TypedValueParser<Value = PathBuf> {
@@ -134,6 +258,14 @@ fn thread_count() -> impl TypedValueParser<Value = NonZeroUsize> {
     /// More would be a slip of the finger, and each costs memory.
     const MAX_THREADS: i64 = 1024;
     clap::value_parser!(u32).range(1..=MAX_THREADS).try_map(|count| NonZeroUsize::try_from(count as usize))
+}
+
+fn samples(text: &str) -> Result<Sampling, String> {
+    let count: Option<u32> = text.parse().ok();
+    let side = count.map(u32::isqrt).filter(|&side| (1..=MAX_GRID).contains(&side));
+    let side = side.filter(|side| Some(side * side) == count);
+    side.map(|side| Sampling { side })
+        .ok_or_else(|| format!("must be a square number from 1 to {}: 1, 4, 9, 16, ...", MAX_GRID * MAX_GRID))
 }
 
 fn point(text: &str) -> Result<DVec3, String> {

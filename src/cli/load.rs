@@ -1,14 +1,15 @@
 //! From a scene file to a World.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Checkerboard, Texture, Textured};
+use crate::components::{CameraPose, Checkerboard, Texture, Textured};
 use crate::image_file::{ImageFileError, decode_texture, load_texture};
 use crate::scene::{Source, spawn};
 
+use super::args::{CameraArgs, ImageArgs};
 use super::{CliError, say};
 
 /// Reads and spawns a scene; warnings go to standard error. Returns how many there were.
@@ -21,17 +22,22 @@ pub(super) fn load_world(path: &Path, world: &mut World) -> Result<usize, CliErr
     Ok(loaded.warnings.len())
 }
 
-/// Lays images on the checkerboard: the ones named, else those beside the scene, else the built-in ones.
-pub(super) fn lay_texture(
-    world: &mut World,
-    scene: &Path,
-    white: Option<&Path>,
-    black: Option<&Path>,
-) -> Result<(), CliError> {
-    let textured = Textured {
-        white: Arc::new(find_texture(scene, white, "texture_w.bmp", BUILT_IN_WHITE)?),
-        black: Arc::new(find_texture(scene, black, "texture_b.bmp", BUILT_IN_BLACK)?),
-    };
+/// Images for the checkerboard: the ones named, else those beside the scene, else the built-in ones.
+pub(super) fn find_images(args: &ImageArgs, scene: &Path) -> Result<Textured, CliError> {
+    let find =
+        |named: &Option<PathBuf>, name, built_in| find_texture(scene, named.as_deref(), name, built_in);
+    Ok(Textured {
+        white: Arc::new(find(&args.white, "texture_w.bmp", BUILT_IN_WHITE)?),
+        black: Arc::new(find(&args.black, "texture_b.bmp", BUILT_IN_BLACK)?),
+    })
+}
+
+/// Lays images on the checkerboard if that is asked for, see [`find_images`].
+pub(super) fn lay_texture(args: &ImageArgs, scene: &Path, world: &mut World) -> Result<(), CliError> {
+    if !args.texture {
+        return Ok(());
+    }
+    let textured = find_images(args, scene)?;
     let boards: Vec<Entity> = world.query_filtered::<Entity, With<Checkerboard>>().iter(world).collect();
     for board in boards {
         world.entity_mut(board).insert(textured.clone());
@@ -54,4 +60,13 @@ fn find_texture(
         None if beside.exists() => load_texture(&beside),
         None => decode_texture(built_in).ok_or(ImageFileError::Empty(name.into())),
     }
+}
+
+/// Puts the camera where the command line says.
+pub(super) fn aim(args: &CameraArgs, world: &mut World) -> Result<(), CliError> {
+    let pose = CameraPose::looking(args.eye, args.look, args.up).ok_or(CliError::NoDirection)?;
+    for mut camera in world.query::<&mut CameraPose>().iter_mut(world) {
+        *camera = pose;
+    }
+    Ok(())
 }

@@ -1,13 +1,17 @@
 //! The command line: arguments in, files and an exit status out.
 //!
-//! This is the only room that reads a clock, speaks to the terminal and listens to signals.
+//! This is the only room that speaks to the terminal and listens to signals.
 
 mod args;
 mod check;
 mod load;
+#[cfg(feature = "viewer")]
+mod preview;
 mod render;
 mod stats;
 mod stop;
+#[cfg(feature = "viewer")]
+mod view;
 mod write;
 
 use std::io::{self, Write};
@@ -25,10 +29,14 @@ use args::{Args, Command};
 /// Runs the program on the arguments of the process. Status 0: done; 1: it could not be done, and standard error
 /// says why; 2: the arguments make no sense.
 pub fn run() -> ExitCode {
-    let outcome = match Args::of_process().command {
+    let outcome = match Args::of_process() {
         Command::Render(args) => render::render(&args),
+        #[cfg(feature = "viewer")]
+        Command::Preview(args) => preview::preview(&args),
         Command::Check(args) => check::check(&args),
         Command::Write(args) => write::write(&args),
+        #[cfg(feature = "viewer")]
+        Command::View(args) => view::view(&args),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -58,12 +66,21 @@ enum CliError {
     Describe(#[from] DescribeError),
     #[error(transparent)]
     Workers(#[from] WorkersError),
+    #[cfg(feature = "viewer")]
+    #[error(transparent)]
+    Viewer(#[from] crate::viewer::ViewerError),
     #[error("cannot write to standard output: {0}")]
     Output(io::Error),
     #[error("cannot listen for Ctrl-C: {0}")]
     Signal(#[from] ctrlc::Error),
     #[error("cannot encode statistics: {0}")]
     Stats(#[from] serde_json::Error),
+    #[cfg(feature = "viewer")]
+    #[error(transparent)]
+    Headless(#[from] crate::viewer::headless::HeadlessError),
+    #[cfg(feature = "viewer")]
+    #[error(transparent)]
+    Gl(#[from] crate::preview::gl::GlError),
     #[error("interrupted; {0} was not written")]
     Interrupted(String),
 }

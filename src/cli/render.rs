@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use bevy_ecs::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::components::{CameraPose, Snapshot};
+use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
 use crate::image_file::encode;
 use crate::systems::{
@@ -16,7 +16,7 @@ use crate::systems::{
 use crate::whole_file::{check_writable, write_whole};
 
 use super::args::{Precision, RenderArgs};
-use super::load::{lay_texture, load_world};
+use super::load::{aim, lay_texture, load_world};
 use super::stats::{Phases, Stats, Stopwatch};
 use super::stop::stop_flag;
 use super::{CliError, say};
@@ -40,9 +40,7 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
 
     let mut world = World::new();
     load_world(&args.scene, &mut world)?;
-    if args.texture {
-        lay_texture(&mut world, &args.scene, args.white.as_deref(), args.black.as_deref())?;
-    }
+    lay_texture(&args.images, &args.scene, &mut world)?;
     let snapshot = apply(args, &mut world)?;
     phases.load = clock.lap();
 
@@ -52,7 +50,7 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     build_schedule::<T>().run(&mut world);
     phases.build = clock.lap();
 
-    let progress = progress_bar(snapshot.pixels);
+    let progress = progress_bar(snapshot, args.samples);
     world.insert_resource(monitor(&progress, &stop));
     trace_schedule::<T>().run(&mut world);
     progress.finish_and_clear();
@@ -71,11 +69,12 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     phases.write = clock.lap();
 
     if counts.non_finite > 0 {
-        say(&format!("warning: {} pixels had no finite radiance and are black", counts.non_finite));
+        say(&format!("warning: {} samples had no finite radiance and are black", counts.non_finite));
     }
     if let Some(path) = &args.stats {
         let threads = world.resource::<Workers>().threads();
-        let stats = Stats::new(snapshot, threads, phases, counts, &world.resource::<Tables<T>>().scene);
+        let scene = &world.resource::<Tables<T>>().scene;
+        let stats = Stats::new((snapshot, args.samples), threads, phases, counts, scene);
         write_whole(path, &stats.to_json()?)?;
     }
     Ok(())
@@ -87,16 +86,15 @@ fn apply(args: &RenderArgs, world: &mut World) -> Result<Snapshot, CliError> {
     snapshot.pixels = args.size.unwrap_or(snapshot.pixels);
     snapshot.level = args.level.unwrap_or(snapshot.level);
     let snapshot = *snapshot;
-    let pose = CameraPose::looking(args.eye, args.look, args.up).ok_or(CliError::NoDirection)?;
-    for mut camera in world.query::<&mut CameraPose>().iter_mut(world) {
-        *camera = pose;
-    }
+    world.insert_resource(args.samples);
+    aim(&args.camera, world)?;
     Ok(snapshot)
 }
 
 /// A bar on a terminal, nothing elsewhere.
-fn progress_bar(pixels: u32) -> ProgressBar {
-    let bar = ProgressBar::new(u64::from(pixels) * u64::from(pixels));
+fn progress_bar(snapshot: Snapshot, sampling: Sampling) -> ProgressBar {
+    let samples = u64::from(snapshot.pixels).pow(2) * u64::from(sampling.side).pow(2);
+    let bar = ProgressBar::new(samples);
     // A template that does not parse would only lose its looks.
     if let Ok(style) = ProgressStyle::with_template("tracing {wide_bar} {percent:>3}% {eta} left") {
         bar.set_style(style);

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
-use crate::components::Snapshot;
+use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
 use crate::trace::{Counts, SceneTables};
 
@@ -16,6 +16,7 @@ pub(super) struct Stats {
     precision: &'static str,
     threads: usize,
     pixels: u64,
+    samples: u64,
     level: u32,
     phases_ms: Phases,
     rays: Rays,
@@ -49,7 +50,7 @@ struct Rays {
 impl Stats {
     /// The statistics of one picture.
     pub(super) fn new<T: Real>(
-        snapshot: Snapshot,
+        (snapshot, sampling): (Snapshot, Sampling),
         threads: usize,
         phases: Phases,
         counts: &Counts,
@@ -62,6 +63,7 @@ impl Stats {
             precision: T::NAME,
             threads,
             pixels: u64::from(snapshot.pixels).pow(2),
+            samples: u64::from(sampling.side).pow(2),
             level: snapshot.level,
             phases_ms: phases,
             rays: Rays {

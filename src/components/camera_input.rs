@@ -17,6 +17,9 @@ pub enum CameraMove {
     Up(f64),
     /// To the left: `l` and `r` about `u`.
     Turn(f64),
+    /// To the left about the world's z, which keeps a level horizon level; for a camera that stands on its head, what
+    /// it has on its left.
+    Heading(f64),
     /// Look up: `l` and `u` about `r`.
     Pitch(f64),
     /// Counter-clockwise, as the picture turns: `u` tips towards `r`, about `l`.

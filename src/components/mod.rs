@@ -20,5 +20,5 @@ pub use camera::{CameraPose, Home, Lens, Reference};
 pub use camera_input::{CameraInput, CameraMove};
 pub use light::{Falloff, Light, SpotCone};
 pub use object::{Checkerboard, Cube, Order, Position, Pyramid, Sphere};
-pub use settings::{FrameTime, Sampling, Snapshot};
+pub use settings::{FrameTime, Precision, Sampling, Snapshot};
 pub use surface::{Ambient, Color, Diffuse, Gloss, Mirror, Texture, Textured};

@@ -23,6 +23,13 @@ impl Range {
             self.low <= value && value <= self.high
         }
     }
+
+    /// The allowed number that is closest to a value; `None` for NaN.
+    pub fn nearest(&self, value: f64) -> Option<f64> {
+        let ends =
+            if self.open { (self.low.next_up(), self.high.next_down()) } else { (self.low, self.high) };
+        (!value.is_nan()).then(|| value.clamp(ends.0, ends.1))
+    }
 }
 
 /// A coordinate. The bound keeps every product of the kernels finite.

@@ -18,6 +18,16 @@ impl Default for Snapshot {
     }
 }
 
+/// Floating-point precision of the tables and of every kernel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// Double.
+    #[default]
+    F64,
+    /// Single.
+    F32,
+}
+
 /// How often each pixel is sampled: on a regular grid of `side` by `side` points, 1 to
 /// [`MAX_GRID`](super::range::MAX_GRID). One is the pixel's centre alone.
 #[derive(Resource, Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Intersection kernels: numbers in, numbers out.
+//! Intersection kernels, and the turns of a camera: numbers in, numbers out.
 //!
 //! Nothing here knows an entity or a colour. There is no tolerance but the rounding of a point that was put onto a
 //! surface, derived where it is used. Every shape is convex, and that carries the whole
@@ -14,6 +14,7 @@ mod clip;
 mod compensated;
 mod cube;
 mod exponential;
+mod eye;
 mod plane;
 mod pyramid;
 mod ray;
@@ -22,10 +23,11 @@ mod sphere;
 mod straight;
 mod vector;
 
-pub use basis::{basis_looking, is_camera_basis};
+pub use basis::{basis_looking, head_left, is_camera_basis, tilt, turn_left, turn_up};
 pub use bounded::{Ball, Bounded, Bounds3};
 pub use compensated::{two_diff, two_prod, two_sum};
 pub use cube::CubeShape;
+pub use eye::{Raised, along, raise};
 pub use plane::PlaneShape;
 pub use pyramid::PyramidShape;
 pub use ray::{Convex, Crossing, Ray, Side, SurfacePoint};

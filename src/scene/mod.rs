@@ -31,3 +31,5 @@ pub use parser::{MAX_LIGHTS, MAX_OBJECTS, parse};
 pub use problem::{Problem, Severity};
 pub use source::{Loaded, MAX_BYTES, SceneError, Source};
 pub use spawn::{DescribeError, describe, spawn};
+#[cfg(feature = "viewer")]
+pub(crate) use write::Number;

@@ -47,7 +47,7 @@ fn write_object(f: &mut fmt::Formatter<'_>, object: &ObjectDescription) -> fmt::
 }
 
 /// A number in the fewest digits that read back to it, with an exponent where it would be long.
-pub(super) struct Number(pub(super) f64);
+pub(crate) struct Number(pub(crate) f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

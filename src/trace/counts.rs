@@ -5,7 +5,7 @@ use core::ops::AddAssign;
 /// Rays traced, by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RayCounts {
-    /// From the camera: one a pixel, none at level 0.
+    /// From the camera: one a sample, none at level 0.
     pub primary: u64,
     /// Towards a light.
     pub shadow: u64,
@@ -13,12 +13,12 @@ pub struct RayCounts {
     pub mirror: u64,
 }
 
-/// What was done for some pixels.
+/// What was done for some samples of pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Rays traced.
     pub rays: RayCounts,
-    /// Pixels whose radiance came out infinite or NaN. There should be none; they are shown black.
+    /// Samples whose radiance came out infinite or NaN. There should be none; they count as black.
     pub non_finite: u64,
 }
 

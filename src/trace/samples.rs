@@ -35,18 +35,21 @@ impl SampleGrid {
         self.side * self.side
     }
 
-    /// The point that a pass takes. The first one is the pixel's centre where the grid has it, and each beginning
-    /// of the sequence is spread over the pixel, so that a picture can be looked at before it is complete. The order
-    /// is the same for everyone because the sum of a pixel depends on it in the last digit.
+    /// The point that a pass takes. A grid with a point in the pixel's centre begins there, and each `side` points
+    /// in a row lie in as many rows and columns, so that a picture can be looked at before it is complete. The order
+    /// is the same for everyone, because the last digit of a sum depends on it.
     pub fn point(self, pass: u32) -> SamplePoint {
-        let index = (self.count() / 2 + pass * self.stride()) % self.count();
-        SamplePoint { column: index % self.side, row: index / self.side }
+        let side = self.side;
+        let (round, turn) = (pass / side % side, pass % side);
+        let column = turn * self.stride();
+        let row = (column % side) * self.stride() + round;
+        SamplePoint { column: (side / 2 + column) % side, row: (side / 2 + row) % side }
     }
 
-    /// A step about as long as the golden section of the grid, and prime to its length, so that it meets every point.
+    /// A step near the golden section of the side, and prime to it, so that it meets every column.
     fn stride(self) -> u32 {
-        let section = self.count() * 5 / 8;
-        (section.max(1)..).find(|&stride| greatest_common_divisor(stride, self.count()) == 1).unwrap_or(1)
+        let section = (self.side * 5 / 8).max(1);
+        (section..).find(|&stride| greatest_common_divisor(stride, self.side) == 1).unwrap_or(1)
     }
 }
 
@@ -58,18 +61,45 @@ fn greatest_common_divisor(a: u32, b: u32) -> u32 {
 mod tests {
     use super::*;
 
+    fn points(grid: SampleGrid) -> Vec<SamplePoint> {
+        (0..grid.count()).map(|pass| grid.point(pass)).collect()
+    }
+
+    fn distinct(values: impl Iterator<Item = u32>) -> usize {
+        values.collect::<std::collections::BTreeSet<_>>().len()
+    }
+
     #[test]
     fn every_point_is_taken_once_and_an_odd_grid_starts_in_the_middle() {
         for side in 1..=64 {
             let grid = SampleGrid::new(side);
-            let mut points: Vec<_> = (0..grid.count()).map(|pass| grid.point(pass)).collect();
+            let mut points = points(grid);
             if side % 2 == 1 {
                 assert_eq!(points[0], SamplePoint { column: side / 2, row: side / 2 }, "side {side}");
             }
             points.sort_by_key(|point| (point.row, point.column));
             points.dedup();
             assert_eq!(points.len(), grid.count() as usize, "side {side}");
-            assert!(points.iter().all(|point| point.row < side && point.column < side));
+            assert!(points.iter().all(|point| point.row < side && point.column < side), "side {side}");
         }
+    }
+
+    #[test]
+    fn each_round_lies_in_as_many_rows_and_columns() {
+        for side in 1..=64 {
+            for round in points(SampleGrid::new(side)).chunks(side as usize) {
+                assert_eq!(distinct(round.iter().map(|point| point.row)), side as usize, "side {side}");
+                assert_eq!(distinct(round.iter().map(|point| point.column)), side as usize, "side {side}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_smallest_grids_are_these() {
+        assert_eq!(SampleGrid::new(0), SampleGrid::CENTER);
+        assert_eq!(points(SampleGrid::CENTER), [SamplePoint { column: 0, row: 0 }]);
+        let all = points(SampleGrid::new(3)).into_iter().map(|point| (point.column, point.row));
+        let expected = [(1, 1), (2, 2), (0, 0), (1, 2), (2, 0), (0, 1), (1, 0), (2, 1), (0, 2)];
+        assert_eq!(all.collect::<Vec<_>>(), expected);
     }
 }

@@ -52,6 +52,16 @@ fn values_out_of_range_are_refused_with_the_range() {
         ("--level 5000", "0..=1000"),
         ("--level 1001", "0..=1000"),
         ("--level=-1", "-1"),
+        ("--samples 0", "a square number from 1 to 4096"),
+        ("--samples 2", "a square number from 1 to 4096"),
+        ("--samples 8", "a square number from 1 to 4096"),
+        ("--samples 4095", "a square number from 1 to 4096"),
+        ("--samples 4225", "a square number from 1 to 4096"),
+        ("--samples 4294836225", "a square number from 1 to 4096"),
+        ("--samples 4294967296", "a square number from 1 to 4096"),
+        ("--samples 9.0", "a square number from 1 to 4096"),
+        ("--samples=-9", "a square number from 1 to 4096"),
+        ("--samples=", "a square number from 1 to 4096"),
         ("--threads 0", "1..="),
         ("--threads 1000000", "1..="),
         ("--threads two", "two"),
@@ -82,7 +92,9 @@ fn values_out_of_range_are_refused_with_the_range() {
 #[test]
 fn the_ends_of_the_ranges_are_accepted() {
     let folder = Folder::with_scene();
-    for argument in ["--size 1", "--level 0", "--level 1000", "--threads 1"] {
+    for argument in
+        ["--size 1", "--level 0", "--level 1000", "--threads 1", "--samples 1", "--size 2 --samples 4096"]
+    {
         folder.render(argument);
     }
 }
@@ -97,8 +109,19 @@ fn level_and_size_of_the_command_line_win() {
 }
 
 #[test]
+fn one_sample_is_what_is_taken_unless_more_are_asked_for() {
+    let folder = Folder::with_scene();
+    let usual = folder.render("");
+    assert_eq!(usual, folder.render("--samples 1"));
+    let smooth = folder.render("--samples 4");
+    assert_ne!(usual, smooth);
+    assert_ne!(smooth, folder.render("--samples 9"));
+}
+
+#[test]
 fn level_0_is_black() {
     let folder = Folder::with_scene();
+    assert!(folder.render("--level 0 --samples 9")[54..].iter().all(|&byte| byte == 0));
     assert!(folder.render("--level 0")[54..].iter().all(|&byte| byte == 0));
     assert!(folder.render("--level 1")[54..].iter().any(|&byte| byte != 0));
 }
@@ -170,6 +193,7 @@ fn the_help_shows_an_example() {
         "--up",
         "--size",
         "--level",
+        "--samples",
         "--texture",
         "--white",
         "--black",

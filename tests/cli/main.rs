@@ -27,6 +27,8 @@ mod program;
 )]
 #[path = "../support/random.rs"]
 mod random;
+#[cfg(feature = "viewer")]
+mod render_command;
 mod scene_files;
 mod stats;
 mod streams;

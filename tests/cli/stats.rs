@@ -29,6 +29,7 @@ fn every_key_is_there_with_its_type() {
             "precision",
             "rays",
             "rows",
+            "samples",
             "threads",
             "version"
         ]
@@ -46,6 +47,7 @@ fn every_key_is_there_with_its_type() {
     assert_eq!(stats["threads"], 2);
     assert_eq!(stats["precision"], "f64");
     assert_eq!(stats["pixels"], 32 * 32);
+    assert_eq!(stats["samples"], 1);
     assert_eq!(stats["level"], 3);
     assert_eq!(stats["non_finite"], 0);
 }
@@ -92,6 +94,9 @@ fn rays_are_counted() {
         assert_eq!(stats["pixels"], size * size);
         assert_eq!(stats["rays"]["primary"], stats["pixels"], "{stats}");
     }
+    let sampled = stats(&folder, "--size 7 --samples 9");
+    assert_eq!((&sampled["pixels"], &sampled["samples"]), (&49.into(), &9.into()));
+    assert_eq!(sampled["rays"]["primary"], 9 * 49);
     let flat = stats(&folder, "--level 1");
     assert_eq!(flat["rays"]["mirror"], 0);
     assert_eq!(flat["level"], 1);

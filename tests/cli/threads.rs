@@ -11,6 +11,8 @@ fn the_number_of_threads_changes_no_byte() {
         assert!(one == folder.render(&format!("--size 101 --threads {threads}")), "{threads} threads");
     }
     assert!(one == folder.render("--size 101"), "as many as there are processors");
+    let sampled = folder.render("--size 67 --samples 9 --threads 1");
+    assert!(sampled == folder.render("--size 67 --samples 9 --threads 5"), "with samples");
 }
 
 #[test]

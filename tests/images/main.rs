@@ -16,6 +16,7 @@ mod crowds;
 mod metamorphic;
 mod naive;
 mod paths;
+mod samples;
 #[path = "../support/mod.rs"]
 mod support;
 mod transforms;

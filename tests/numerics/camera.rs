@@ -220,7 +220,7 @@ fn k05_fields_of_view_without_a_picture_are_refused() {
 }
 
 /// How far from orthonormal and right-handed a basis is, exactly, in epsilons.
-fn skew([l, r, u]: [DVec3; 3]) -> f64 {
+pub(crate) fn skew([l, r, u]: [DVec3; 3]) -> f64 {
     let [l, r, u] = [l, r, u].map(|v| ExactVector::of(Vector::<f64>::from_dvec3(v)));
     let unit = |v: &ExactVector| magnitude(v.dot(v) - Exact::ONE) / Exact::from(2);
     let handed = r.cross(&l).minus(&u);

@@ -12,6 +12,8 @@
 )]
 
 mod camera;
+mod camera_moves;
+mod camera_raise;
 mod checker;
 mod compensated;
 mod cube;

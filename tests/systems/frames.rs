@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use archetrace::components::{
     Ambient, CameraPose, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Lens, Light, Mirror, Order,
-    Position, Pyramid, Snapshot, Sphere, SpotCone, Textured,
+    Position, Pyramid, Sampling, Snapshot, Sphere, SpotCone, Textured,
 };
 use archetrace::geometry::Real;
 use archetrace::systems::{FrameError, Monitor, Stage, frame_schedule, prepare};
@@ -250,8 +250,45 @@ fn a_system_of_the_user_runs_before_the_extraction() {
 }
 
 #[test]
-fn the_monitor_hears_of_every_pixel() {
+fn a_picture_may_change_its_samples() {
+    let (mut world, mut schedule) = prepared::<f64>(small_case().world());
+    for side in [1, 3, 2, 1] {
+        *world.resource_mut::<Sampling>() = Sampling { side };
+        let after = run(&mut world, &mut schedule).unwrap();
+        let mut fresh = small_case().world();
+        fresh.insert_resource(Sampling { side });
+        let fresh = trace::<f64>(&mut fresh);
+        assert_same(&format!("{side} by {side} samples"), &fresh.picture, &after.picture);
+        assert_eq!(fresh.counts, after.counts);
+        assert_eq!(after.counts.rays.primary, u64::from(64 * 64 * side * side));
+    }
+}
+
+#[test]
+fn a_picture_cancelled_between_two_passes_says_so_and_the_next_is_whole() {
     let mut world = small_case().world();
+    world.insert_resource(Sampling { side: 2 });
+    let cancel = Arc::new(AtomicBool::new(false));
+    let (seen, stop) = (AtomicU64::new(0), cancel.clone());
+    let on_tile = move |pixels| {
+        if seen.fetch_add(pixels, Ordering::Relaxed) + pixels >= 64 * 64 {
+            stop.store(true, Ordering::Relaxed);
+        }
+    };
+    world.insert_resource(Monitor::new(on_tile, cancel));
+    let (mut world, mut schedule) = prepared::<f64>(world);
+    assert_eq!(run(&mut world, &mut schedule).unwrap_err(), FrameError::Cancelled);
+    world.insert_resource(Monitor::default());
+    let whole = run(&mut world, &mut schedule).unwrap().picture;
+    let mut fresh = small_case().world();
+    fresh.insert_resource(Sampling { side: 2 });
+    assert_same("after a cancelled one", &trace::<f64>(&mut fresh).picture, &whole);
+}
+
+#[test]
+fn the_monitor_hears_of_every_sample_of_every_pixel() {
+    let mut world = small_case().world();
+    world.insert_resource(Sampling { side: 3 });
     let seen = Arc::new(AtomicU64::new(0));
     let counter = seen.clone();
     let on_tile = move |pixels| {
@@ -259,7 +296,7 @@ fn the_monitor_hears_of_every_pixel() {
     };
     world.insert_resource(Monitor::new(on_tile, Arc::default()));
     trace::<f64>(&mut world);
-    assert_eq!(seen.load(Ordering::Relaxed), 64 * 64);
+    assert_eq!(seen.load(Ordering::Relaxed), 9 * 64 * 64);
 }
 
 #[test]

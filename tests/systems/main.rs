@@ -9,6 +9,7 @@
     reason = "a test fails by panicking, and counts pixels in floating point"
 )]
 
+mod control_camera;
 mod describe;
 mod edits;
 mod extraction;

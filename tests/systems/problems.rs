@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use archetrace::components::{
     Ambient, CameraPose, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Lens, Light, Mirror, Position,
-    Pyramid, Snapshot, Sphere, SpotCone,
+    Pyramid, Sampling, Snapshot, Sphere, SpotCone,
 };
 use archetrace::geometry::Real;
 use archetrace::systems::{FrameError, Monitor, frame_schedule, prepare};
@@ -274,6 +274,24 @@ fn a_snapshot_has_its_ranges() {
         "Snapshot.pixels is 4294967295, but must be from 1 to 8192\n\
          Snapshot.level is 4294967295, but must be from 0 to 1000",
     );
+}
+
+#[test]
+fn the_grid_of_samples_has_its_range() {
+    for (side, message) in [
+        (0, "Sampling.side is 0, but must be from 1 to 64"),
+        (65, "Sampling.side is 65, but must be from 1 to 64"),
+        (u32::MAX, "Sampling.side is 4294967295, but must be from 1 to 64"),
+    ] {
+        assert_refused::<f64>(
+            |world| {
+                world.insert_resource(Sampling { side });
+                first_sphere(world)
+            },
+            message,
+            |world, _| world.insert_resource(Sampling { side: 1 }),
+        );
+    }
 }
 
 #[test]

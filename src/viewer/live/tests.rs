@@ -1,0 +1,215 @@
+use std::sync::mpsc::{self, Receiver};
+
+use crate::components::Precision::{self, F32, F64};
+
+use super::super::test_views::{heavy, official, rendered, view, workers};
+use super::super::traced_view::SharedTables;
+use super::*;
+
+const LONG: Duration = Duration::from_secs(60);
+const SIDE: u32 = 100;
+
+/// A live trace that waits after each picture until it has been taken.
+struct Stepped {
+    live: Live,
+    news: Receiver<()>,
+}
+
+impl Stepped {
+    fn new() -> Self {
+        let (sender, news) = mpsc::sync_channel(0);
+        // Told of twice: the picture can be taken in between.
+        let wake = move || {
+            let _ = sender.send(()).and_then(|()| sender.send(()));
+        };
+        Self { live: Live::new(workers(), wake).unwrap(), news }
+    }
+
+    fn next(&self) -> Shown {
+        self.news.recv_timeout(LONG).unwrap();
+        let shown = self.live.latest().unwrap().unwrap();
+        self.news.recv_timeout(LONG).unwrap();
+        shown
+    }
+
+    /// Every picture up to the last.
+    fn all(&self, what: LiveRequest) -> Vec<Shown> {
+        self.live.request(what);
+        let mut shown = vec![self.next()];
+        while !shown[shown.len() - 1].is_final {
+            shown.push(self.next());
+        }
+        shown
+    }
+}
+
+impl Drop for Stepped {
+    fn drop(&mut self) {
+        // Nobody listens any more: let the thread go on to its end.
+        self.news = mpsc::channel().1;
+    }
+}
+
+fn request(precision: Precision, side: u32, grid: u32) -> LiveRequest {
+    LiveRequest { view: view(&mut official(), precision), side, grid: SampleGrid::new(grid) }
+}
+
+fn heavy_request() -> LiveRequest {
+    LiveRequest { view: view(&mut heavy(), F64), side: 1024, grid: SampleGrid::new(3) }
+}
+
+/// The picture must be what `render` makes at this size with `grid` by `grid` samples.
+#[track_caller]
+fn assert_rendered(shown: &Shown, precision: Precision, side: u32, grid: u32) {
+    let (film, counts) = rendered(official(), precision, side, grid);
+    assert_eq!((shown.side, shown.samples), (side, grid * grid));
+    assert!(shown.rgb8 == film.to_rgb8(), "{side} pixels, {grid} by {grid} samples");
+    assert_eq!(shown.counts, counts);
+    assert!(shown.milliseconds > 0.0);
+}
+
+/// The mean of the first samples of each pixel, from the pixels of a finer picture.
+fn mean_so_far(grid: SampleGrid, samples: u32) -> Vec<u8> {
+    let (fine, _) = rendered(official(), F64, SIDE * grid.side(), 1);
+    let index = |column: u32, row: u32| (row * fine.side() + column) as usize;
+    let mut bytes = Vec::new();
+    for (row, column) in (0..SIDE).flat_map(|row| (0..SIDE).map(move |column| (row, column))) {
+        let points = (0..samples).map(|pass| grid.point(pass));
+        let picked = points.map(|at| index(column * grid.side() + at.column, row * grid.side() + at.row));
+        let picked: Vec<[f64; 3]> = picked.map(|index| fine.pixels()[index]).collect();
+        for channel in 0..3 {
+            let mean = picked.iter().map(|pixel| pixel[channel]).sum::<f64>() / f64::from(samples);
+            bytes.push((0..=255).rev().find(|&level| f64::from(level) <= mean * 255.0).unwrap());
+        }
+    }
+    bytes
+}
+
+#[test]
+fn the_picture_comes_coarse_then_full_then_with_more_samples() {
+    let shown = Stepped::new().all(request(F64, SIDE, 3));
+    assert_eq!(shown.len(), 10);
+    assert_rendered(&shown[0], F64, 13, 1);
+    assert_rendered(&shown[1], F64, SIDE, 1);
+    for (samples, shown) in (1..).zip(&shown[1..]) {
+        assert_eq!((shown.side, shown.samples), (SIDE, samples));
+        assert_eq!(shown.counts.rays.primary, u64::from(SIDE * SIDE * samples));
+        assert!(shown.rgb8 == mean_so_far(SampleGrid::new(3), samples), "{samples} samples");
+        assert_eq!(shown.is_final, samples == 9);
+    }
+    assert_rendered(&shown[9], F64, SIDE, 3);
+}
+
+#[test]
+fn single_precision_is_traced_as_render_does() {
+    let shown = Stepped::new().all(request(F32, SIDE, 3));
+    assert_rendered(&shown[1], F32, SIDE, 1);
+    assert_rendered(&shown[9], F32, SIDE, 3);
+    assert!(shown[1].rgb8 != rendered(official(), F64, SIDE, 1).0.to_rgb8());
+}
+
+#[test]
+fn a_grid_without_a_centre_shows_the_centre_first_all_the_same() {
+    let shown = Stepped::new().all(request(F64, SIDE, 2));
+    assert_eq!(shown.len(), 6);
+    assert_rendered(&shown[1], F64, SIDE, 1);
+    assert_rendered(&shown[5], F64, SIDE, 2);
+}
+
+#[test]
+fn one_sample_is_enough_if_no_more_are_asked_for() {
+    let shown = Stepped::new().all(request(F64, SIDE, 1));
+    assert_eq!(shown.len(), 2);
+    assert!(shown[1].is_final);
+    assert_rendered(&shown[1], F64, SIDE, 1);
+}
+
+#[test]
+fn a_picture_is_there_when_it_is_waited_for_and_none_after_the_last() {
+    let live = Live::new(workers(), || ()).unwrap();
+    assert!(live.latest().is_none());
+    live.request(request(F64, SIDE, 3));
+    let start = Instant::now();
+    let mut last = None;
+    while let Some(shown) = live.wait(LONG) {
+        last = Some(shown.unwrap());
+    }
+    assert!(last.is_some_and(|last| last.is_final));
+    assert!(start.elapsed() < LONG, "waited for what does not come");
+}
+
+#[test]
+fn what_was_asked_for_before_is_given_up() {
+    let live = Live::new(workers(), || ()).unwrap();
+    for _ in 0..20 {
+        live.request(heavy_request());
+        live.wait(Duration::from_millis(5));
+    }
+    live.request(request(F64, SIDE, 3));
+    let start = Instant::now();
+    loop {
+        let shown = live.wait(LONG).unwrap().unwrap();
+        // No half of 1024 is among them.
+        assert!([100, 50, 25, 13, 7].contains(&shown.side), "{} pixels", shown.side);
+        if shown.is_final {
+            break assert_rendered(&shown, F64, SIDE, 3);
+        }
+    }
+    assert!(start.elapsed() < Duration::from_secs(10), "took {:?}", start.elapsed());
+}
+
+#[test]
+fn a_heavy_scene_gets_coarse_until_it_is_there_at_once() {
+    let live = Live::new(workers(), || ()).unwrap();
+    let first = (0..100).find_map(|_| {
+        live.request(heavy_request());
+        live.wait(Duration::from_millis(100))
+    });
+    let first = first.expect("no picture in a hundred moves of the camera").unwrap();
+    assert!(first.side <= 1024 / 8, "{} pixels", first.side);
+}
+
+#[test]
+fn after_a_stop_nothing_comes_and_nothing_is_held() {
+    let live = Live::new(workers(), || ()).unwrap();
+    let what = heavy_request();
+    let SharedTables::F64(tables) = what.view.tables.clone() else { panic!("asked for f64") };
+    live.request(what);
+    live.wait(Duration::from_millis(50));
+    live.stop();
+    let start = Instant::now();
+    assert!(live.wait(LONG).is_none());
+    assert!(start.elapsed() < Duration::from_secs(2), "took {:?}", start.elapsed());
+    assert_eq!(Arc::strong_count(&tables), 1, "the tables are held");
+    assert!(live.latest().is_none());
+}
+
+#[test]
+fn dropping_it_ends_the_thread_promptly() {
+    let what = heavy_request();
+    let SharedTables::F64(tables) = what.view.tables.clone() else { panic!("asked for f64") };
+    let (sender, wakes) = mpsc::channel::<()>();
+    let wake = move || {
+        let _ = sender.send(());
+    };
+    let live = Live::new(workers(), wake).unwrap();
+    live.request(what);
+    live.wait(Duration::from_millis(50));
+    let start = Instant::now();
+    drop(live);
+    assert!(start.elapsed() < Duration::from_secs(2), "took {:?}", start.elapsed());
+    assert_eq!(Arc::strong_count(&tables), 1, "the tables are held");
+    // The thread alone had the other end.
+    while wakes.try_recv().is_ok() {}
+    assert_eq!(wakes.try_recv(), Err(mpsc::TryRecvError::Disconnected));
+}
+
+#[test]
+fn a_picture_too_large_for_the_memory_is_an_error_and_the_next_one_is_not() {
+    let live = Live::new(workers(), || ()).unwrap();
+    live.request(request(F64, u32::MAX, 1));
+    assert!(matches!(live.wait(LONG), Some(Err(FrameError::Memory(_)))));
+    assert!(live.wait(LONG).is_none());
+    live.request(request(F64, SIDE, 1));
+    assert!(live.wait(LONG).unwrap().is_ok());
+}

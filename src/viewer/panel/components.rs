@@ -1,0 +1,254 @@
+//! The components of the selected entity.
+
+use core::any::TypeId;
+
+use bevy_ecs::prelude::*;
+use egui::{Align, Layout, RichText, Ui};
+
+use crate::components::range::{COEFFICIENT, CUTOFF, FALLOFF, LENGTH, SHININESS};
+use crate::components::{
+    Ambient, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Light, Mirror, Order, Position, Pyramid,
+    Sphere, SpotCone, Textured,
+};
+use crate::viewer::editor::significant;
+
+use super::Panel;
+use super::fields::{color_row, length_row, number_row, point_row, relative, row, share_row};
+use super::name::{Kind, name_of};
+
+/// Name, what can be done with the whole, and every component.
+pub(super) fn show(ui: &mut Ui, panel: &mut Panel<'_>) {
+    let selected = panel.editor.selected().filter(|&entity| panel.world.get_entity(entity).is_ok());
+    let Some(entity) = selected else {
+        ui.weak("Nothing is selected: click on an object in the scene or in the list.");
+        return;
+    };
+    // A field of one entity is not that of another: what is being typed does not move on.
+    ui.push_id(entity, |ui| {
+        head(ui, panel, entity);
+        parts(ui, panel, entity);
+        effects(ui, panel, entity);
+        others(ui, panel.world, entity);
+    });
+}
+
+fn head(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
+    ui.horizontal(|ui| {
+        let name = RichText::new(name_of(panel.world, entity)).strong();
+        ui.label(name).on_hover_text(format!("entity {entity}"));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button("Delete").on_hover_text("Delete").clicked() {
+                panel.editor.delete(panel.world);
+            }
+            if ui.button("Duplicate").on_hover_text("Ctrl+D").clicked() {
+                panel.editor.duplicate(panel.world);
+            }
+        });
+    });
+}
+
+/// What an entity is not itself without.
+fn parts(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
+    let step = panel.scale / 300.0;
+    let at = match panel.world.get_entity(entity).ok().and_then(Kind::of) {
+        Some(Kind::Sphere) => "the centre, in world units",
+        Some(Kind::Cube) => "the corner with the least x, y and z, in world units",
+        Some(Kind::Pyramid) => "the base's corner with the least x and y, in world units",
+        Some(Kind::Board) => "a corner of a white cell, in world units",
+        _ => "in world units",
+    };
+    edit::<Position>(ui, panel, entity, |ui, at_| point_row(ui, "position", at, &mut at_.0, step));
+    edit::<Sphere>(ui, panel, entity, |ui, sphere| {
+        length_row(ui, "radius", "in world units", &mut sphere.radius, &LENGTH)
+    });
+    edit::<Cube>(ui, panel, entity, |ui, cube| {
+        length_row(ui, "side", "in world units", &mut cube.side, &LENGTH)
+    });
+    edit::<Pyramid>(ui, panel, entity, |ui, pyramid| {
+        length_row(ui, "width", "of the base, in world units", &mut pyramid.width, &LENGTH)
+            | length_row(
+                ui,
+                "height",
+                "of the apex above the base, in world units",
+                &mut pyramid.height,
+                &LENGTH,
+            )
+    });
+    edit::<Checkerboard>(ui, panel, entity, |ui, board| {
+        length_row(ui, "cell", "edge of a cell, in world units", &mut board.cell, &LENGTH)
+    });
+    edit::<Color>(ui, panel, entity, |ui, color| {
+        color_row(ui, "color", "own colour: linear red, green, blue, 0 to 1", &mut color.0)
+    });
+    edit::<Ambient>(ui, panel, entity, |ui, ambient| {
+        share_row(
+            ui,
+            "ambient",
+            "share of the own colour that shows without light",
+            &mut ambient.0,
+            &COEFFICIENT,
+        )
+    });
+    edit::<Diffuse>(ui, panel, entity, |ui, diffuse| {
+        share_row(ui, "diffuse", "share of the own colour that shows by light", &mut diffuse.0, &COEFFICIENT)
+    });
+}
+
+/// What an entity can have beyond that.
+fn effects(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
+    let step = panel.scale / 300.0;
+    effect::<Gloss>(ui, panel, entity, "Gloss", |ui, gloss| {
+        let speed = relative(gloss.shininess.max(10.0));
+        share_row(ui, "specular", "share of the own colour in a highlight", &mut gloss.specular, &COEFFICIENT)
+            | number_row(
+                ui,
+                "shininess",
+                "Phong exponent: larger is a smaller highlight",
+                &mut gloss.shininess,
+                (&SHININESS, speed),
+            )
+    });
+    effect::<Mirror>(ui, panel, entity, "Mirror", |ui, mirror| {
+        share_row(ui, "reflection", "share of the light received that is added", &mut mirror.0, &COEFFICIENT)
+    });
+    let least = usual_falloff(panel.scale);
+    effect::<Falloff>(ui, panel, entity, "Falloff", |ui, falloff| {
+        let speed = relative(falloff.0.max(least));
+        let hover = "1/unit²: at distance d, exp(-d² falloff) of the light is left";
+        number_row(ui, "falloff", hover, &mut falloff.0, (&FALLOFF, speed))
+    });
+    effect::<SpotCone>(ui, panel, entity, "Cone", |ui, cone| {
+        point_row(
+            ui,
+            "target",
+            "the point that the axis runs through, in world units",
+            &mut cone.target,
+            step,
+        ) | number_row(
+            ui,
+            "cutoff",
+            "angle between axis and side, in degrees",
+            &mut cone.cutoff,
+            (&CUTOFF, 0.25),
+        )
+    });
+    missing(ui, panel, entity);
+}
+
+/// Shows a component, if it is there, and passes on what was changed.
+fn edit<C: Component + Clone + PartialEq>(
+    ui: &mut Ui,
+    panel: &mut Panel<'_>,
+    entity: Entity,
+    rows: impl FnOnce(&mut Ui, &mut C) -> bool,
+) {
+    let Some(mut value) = panel.world.get::<C>(entity).cloned() else { return };
+    if rows(ui, &mut value) {
+        panel.editor.change(panel.world, entity, Some(value));
+    }
+}
+
+/// A component that can be taken away again.
+fn effect<C: Component + Clone + PartialEq>(
+    ui: &mut Ui,
+    panel: &mut Panel<'_>,
+    entity: Entity,
+    name: &str,
+    rows: impl FnOnce(&mut Ui, &mut C) -> bool,
+) {
+    if panel.world.get::<C>(entity).is_none() {
+        return;
+    }
+    ui.add_space(3.0);
+    let removed = ui.horizontal(|ui| {
+        ui.label(name);
+        let right = Layout::right_to_left(Align::Center);
+        let button = |ui: &mut Ui| ui.small_button("×").on_hover_text(format!("remove {name}")).clicked();
+        ui.with_layout(right, button).inner
+    });
+    edit(ui, panel, entity, rows);
+    if removed.inner {
+        panel.editor.end_gesture();
+        panel.editor.change::<C>(panel.world, entity, None);
+        panel.editor.end_gesture();
+    }
+}
+
+/// Effects that the entity could have and has not.
+fn missing(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
+    let Ok(at) = panel.world.get_entity(entity) else { return };
+    let is_light = at.contains::<Light>();
+    let position = at.get::<Position>().map_or_else(Default::default, |position| position.0);
+    let target = position - glam::DVec3::Z * significant(panel.scale, 1);
+    ui.add_space(3.0);
+    row(ui, "add effect", "what the entity does not have costs nothing", |ui| {
+        if is_light {
+            offer(ui, panel, entity, "Falloff", Falloff(usual_falloff(panel.scale)));
+            offer(ui, panel, entity, "Cone", SpotCone { target, cutoff: 30.0 });
+        } else {
+            offer(ui, panel, entity, "Gloss", Gloss { specular: 0.3, shininess: 30.0 });
+            offer(ui, panel, entity, "Mirror", Mirror(0.3));
+        }
+    });
+}
+
+/// Half of the light is left at the distance of the camera's reference point.
+fn usual_falloff(distance: f64) -> f64 {
+    FALLOFF.nearest(significant(core::f64::consts::LN_2 / (distance * distance), 1)).unwrap_or(0.0)
+}
+
+fn offer<C: Component + Clone + PartialEq>(
+    ui: &mut Ui,
+    panel: &mut Panel<'_>,
+    entity: Entity,
+    name: &str,
+    value: C,
+) {
+    let is_missing = panel.world.get::<C>(entity).is_none();
+    if ui.add_enabled(is_missing, egui::Button::new(name).small()).clicked() {
+        panel.editor.end_gesture();
+        panel.editor.change(panel.world, entity, Some(value));
+        panel.editor.end_gesture();
+    }
+}
+
+/// Components that the panel does not edit: images, and those of a program's own, by name.
+fn others(ui: &mut Ui, world: &World, entity: Entity) {
+    if let Some(textured) = world.get::<Textured>(entity) {
+        let sizes =
+            [&textured.white, &textured.black].map(|image| format!("{} × {}", image.width(), image.height()));
+        row(ui, "images", "on the white and on the black cells, in texels", |ui| {
+            ui.monospace(sizes.join(", "))
+        });
+    }
+    let known = known();
+    let Ok(components) = world.inspect_entity(entity) else { return };
+    let own = components.filter(|(_, info)| info.type_id().is_none_or(|id| !known.contains(&id)));
+    let mut names: Vec<String> = own.map(|(_, info)| info.name().shortname().to_string()).collect();
+    names.sort();
+    if !names.is_empty() {
+        row(ui, "also", "components of the scene's own", |ui| ui.label(names.join(", ")));
+    }
+}
+
+fn known() -> [TypeId; 17] {
+    [
+        TypeId::of::<Position>(),
+        TypeId::of::<Order>(),
+        TypeId::of::<Name>(),
+        TypeId::of::<Sphere>(),
+        TypeId::of::<Cube>(),
+        TypeId::of::<Pyramid>(),
+        TypeId::of::<Checkerboard>(),
+        TypeId::of::<Color>(),
+        TypeId::of::<Ambient>(),
+        TypeId::of::<Diffuse>(),
+        TypeId::of::<Gloss>(),
+        TypeId::of::<Mirror>(),
+        TypeId::of::<Textured>(),
+        TypeId::of::<Light>(),
+        TypeId::of::<Falloff>(),
+        TypeId::of::<SpotCone>(),
+        TypeId::of::<bevy_ecs::entity_disabling::Disabled>(),
+    ]
+}

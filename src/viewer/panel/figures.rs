@@ -1,0 +1,68 @@
+//! What the last picture cost, and what it was made of.
+
+use egui::{RichText, Ui};
+
+use super::Panel;
+use super::digits::grouped;
+use super::fields::row;
+
+/// Rays, times and threads.
+pub(super) fn figures(ui: &mut Ui, panel: &Panel<'_>) {
+    let status = panel.status;
+    let rays = status.counts.rays;
+    let all = rays.primary + rays.shadow + rays.mirror;
+    amount(ui, "camera rays", "one a pixel and sample", rays.primary);
+    amount(ui, "shadow rays", "towards lights", rays.shadow);
+    amount(ui, "mirror rays", "off mirrors", rays.mirror);
+    amount(ui, "all rays", "of the traced picture that is shown", all);
+    let picture = match status.samples {
+        0 => "none yet".to_owned(),
+        samples => format!("{0} × {0}, {samples} samples", status.side),
+    };
+    text(ui, "picture", "pixels and samples a pixel of the traced picture that is shown", picture);
+    text(ui, "traced in", "milliseconds for that picture", milliseconds(status.traced));
+    text(ui, "frame", "milliseconds for the last frame of the window", milliseconds(status.frame));
+    text(ui, "threads", "that trace", status.threads.to_string());
+    if status.counts.non_finite > 0 {
+        amount(
+            ui,
+            "not finite",
+            "pixels whose light came out infinite; they are black",
+            status.counts.non_finite,
+        );
+    }
+}
+
+/// Effects, with the rows that ask for them, and tables.
+pub(super) fn effects(ui: &mut Ui, panel: &Panel<'_>) {
+    for count in &panel.status.effects {
+        rows(
+            ui,
+            count.effect,
+            count.rows,
+            "rows that ask for it; the trace never touches an effect without any",
+        );
+    }
+    ui.add_space(3.0);
+    for count in &panel.status.tables {
+        rows(ui, count.table, count.rows, "rows of the table");
+    }
+}
+
+fn rows(ui: &mut Ui, name: &str, count: usize, hover: &str) {
+    let count = u64::try_from(count).unwrap_or(u64::MAX);
+    let number = RichText::new(grouped(count)).monospace();
+    row(ui, &name.replace('_', " "), hover, |ui| ui.label(if count == 0 { number.weak() } else { number }));
+}
+
+fn amount(ui: &mut Ui, label: &str, hover: &str, amount: u64) {
+    text(ui, label, hover, grouped(amount));
+}
+
+fn text(ui: &mut Ui, label: &str, hover: &str, text: String) {
+    row(ui, label, hover, |ui| ui.monospace(text));
+}
+
+fn milliseconds(value: f64) -> String {
+    format!("{value:.1} ms")
+}
