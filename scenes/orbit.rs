@@ -10,7 +10,8 @@ use std::fs;
 use std::path::Path;
 
 use archetrace::components::{
-    Ambient, CameraPose, Checkerboard, Color, Diffuse, FrameTime, Gloss, Lens, Light, Mirror, Position, Snapshot, Sphere,
+    Ambient, CameraPose, Checkerboard, Color, Diffuse, FrameTime, Gloss, Lens, Light, Mirror, Position,
+    Snapshot, Sphere,
 };
 use archetrace::image_file;
 use archetrace::systems::{Frame, Stage, Workers, frame_schedule, prepare};

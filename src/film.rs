@@ -80,7 +80,7 @@ pub struct FilmTile<'a> {
     rows: Vec<&'a mut [[f64; 3]]>,
 }
 
-impl FilmTile<'_> {
+impl<'a> FilmTile<'a> {
     /// Column of the first pixel of each row.
     pub fn left(&self) -> u32 {
         self.left
@@ -91,9 +91,10 @@ impl FilmTile<'_> {
         self.rows.iter().map(|row| row.len() as u64).sum()
     }
 
-    /// The rows from the top, each with its number in the film.
-    pub fn rows_mut(&mut self) -> impl Iterator<Item = (u32, &mut [[f64; 3]])> {
-        (self.top..).zip(self.rows.iter_mut().map(|row| &mut **row))
+    /// The rows from the top, `height` (at least 1) at a time, with the number in the film of the first of them.
+    pub fn bands_mut(&mut self, height: u32) -> impl Iterator<Item = (u32, &mut [&'a mut [[f64; 3]]])> {
+        let height = height.max(1);
+        (self.top..).step_by(height as usize).zip(self.rows.chunks_mut(height as usize))
     }
 }
 

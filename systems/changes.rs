@@ -12,7 +12,7 @@ use crate::components::{
     Ambient, Color, Diffuse, Falloff, Gloss, Light, Mirror, Order, Position, SpotCone, Textured,
 };
 
-type ObjectChange<S> = Or<(
+pub(super) type ObjectChange<S> = Or<(
     Changed<S>,
     Changed<Position>,
     Changed<Color>,
@@ -22,6 +22,19 @@ type ObjectChange<S> = Or<(
     Changed<Mirror>,
     Changed<Textured>,
     Changed<Order>,
+)>;
+
+/// What came to an object since the last look; a value that was replaced did not.
+pub(super) type ObjectGain<S> = Or<(
+    Added<S>,
+    Added<Position>,
+    Added<Color>,
+    Added<Ambient>,
+    Added<Diffuse>,
+    Added<Gloss>,
+    Added<Mirror>,
+    Added<Textured>,
+    Added<Order>,
 )>;
 
 type LightChange =
@@ -35,27 +48,39 @@ type Needed<'w, 's, S> = (
     Living<'w, 's, S, Diffuse>,
 );
 
-/// Whether the table of objects with shape `S` is out of date. Every count is taken, so that none is compared with
-/// one from longer ago: hence `|`, not `||`.
+/// Whether the table of objects with shape `S` is out of date.
 pub(super) fn objects_changed<S: Component>(
     changed: Query<(), (With<S>, ObjectChange<S>)>,
-    mut objects: Living<S, S>,
-    mut needed: Needed<S>,
-    mut effects: (Living<S, Gloss>, Living<S, Mirror>, Living<S, Textured>),
-    mut orders: Living<S, Order>,
+    mut census: Census<S>,
 ) -> bool {
-    let (positions, colors, ambients, diffuses) = &mut needed;
-    let (gloss, mirrors, textures) = &mut effects;
-    !changed.is_empty()
-        | objects.differ()
-        | positions.differ()
-        | colors.differ()
-        | ambients.differ()
-        | diffuses.differ()
-        | gloss.differ()
-        | mirrors.differ()
-        | textures.differ()
-        | orders.differ()
+    census.differs() | !changed.is_empty()
+}
+
+/// How many objects with shape `S` have what components.
+#[derive(SystemParam)]
+pub(super) struct Census<'w, 's, S: Component> {
+    objects: Living<'w, 's, S, S>,
+    needed: Needed<'w, 's, S>,
+    effects: (Living<'w, 's, S, Gloss>, Living<'w, 's, S, Mirror>, Living<'w, 's, S, Textured>),
+    orders: Living<'w, 's, S, Order>,
+}
+
+impl<S: Component> Census<'_, '_, S> {
+    /// Whether any number is another than at the last look. Every one is taken, so that none is compared with one from
+    /// longer ago: hence `|`, not `||`.
+    pub(super) fn differs(&mut self) -> bool {
+        let (positions, colors, ambients, diffuses) = &mut self.needed;
+        let (gloss, mirrors, textures) = &mut self.effects;
+        self.objects.differ()
+            | positions.differ()
+            | colors.differ()
+            | ambients.differ()
+            | diffuses.differ()
+            | gloss.differ()
+            | mirrors.differ()
+            | textures.differ()
+            | self.orders.differ()
+    }
 }
 
 /// Whether the light table is out of date.

@@ -4,6 +4,8 @@ use core::cmp::Ordering;
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
+use bevy_ecs::query::QueryData;
+use bevy_ecs::system::SystemParam;
 use glam::DVec3;
 
 use crate::components::range::{COEFFICIENT, COLOR, SHININESS};
@@ -13,41 +15,108 @@ use crate::geometry::Real;
 use crate::trace::{GlossRow, ShapeColumns, ShapeTable, SurfaceRow};
 
 use super::Tables;
+use super::changes::{Census, ObjectChange, ObjectGain};
 use super::problem::{Checks, WorldProblem};
 use super::shape_tables::{ExtractShape, Shape};
 
-/// Objects with shape `S` and everything that tells them apart.
-pub(super) type Objects<'w, 's, S> = Query<
-    'w,
-    's,
-    (
-        Entity,
-        &'static S,
-        &'static Position,
-        (&'static Color, &'static Ambient, &'static Diffuse),
-        Option<&'static Order>,
-        (Option<&'static Gloss>, Option<&'static Mirror>, Option<&'static Textured>),
-    ),
->;
+/// An object and everything that tells it apart.
+pub(super) type ObjectData<S> = (
+    Entity,
+    &'static S,
+    &'static Position,
+    (&'static Color, &'static Ambient, &'static Diffuse),
+    Option<&'static Order>,
+    (Option<&'static Gloss>, Option<&'static Mirror>, Option<&'static Textured>),
+);
+/// Objects with shape `S`.
+pub(super) type Objects<'w, 's, S> = Query<'w, 's, ObjectData<S>>;
 
 type Lacking = Or<(Without<Position>, Without<Color>, Without<Ambient>, Without<Diffuse>)>;
 
-/// Rebuilds the table of objects with shape `S`, rows sorted by scene order and then by value.
+/// What changed since the last extraction.
+#[derive(SystemParam)]
+pub(super) struct Edits<'w, 's, S: Component> {
+    changed: Query<'w, 's, ObjectData<S>, ObjectChange<S>>,
+    gained: Query<'w, 's, (), (With<S>, ObjectGain<S>)>,
+    census: Census<'w, 's, S>,
+}
+
+/// Brings the table of objects with shape `S` up to date: row by row where values changed in few objects, else anew.
 pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     objects: Objects<S>,
     incomplete: Query<Entity, (With<S>, Lacking)>,
+    mut edits: Edits<S>,
     mut tables: ResMut<Tables<T>>,
 ) {
-    let mut rows = gather(&objects);
+    tables.revision += 1;
+    let same_components = !edits.census.differs();
+    if !(same_components && replace_rows(&edits, &mut tables)) {
+        rebuild(&objects, &incomplete, &mut tables);
+    }
+}
+
+/// Writes changed objects over their rows. `false`, and a table to be rebuilt, if that is not all there is to do.
+///
+/// Nothing came to a changed object, and numbers of components are the same: so nothing went from any other.
+fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, tables: &mut Tables<T>) -> bool {
+    let Some(entities) = tables.entities.get(&S::Columns::KIND) else { return false };
+    if tables.problems.get(S::NAME).is_none_or(|problems| !problems.is_empty()) {
+        return false;
+    }
+    let scene = Arc::make_mut(&mut tables.scene);
+    let table = S::table(scene);
+    if table.order.len() != entities.len() {
+        return false;
+    }
+    let mut replaced = Vec::new();
+    for object in edits.changed.iter().map(ObjectRow::<S>::from_data) {
+        if edits.gained.contains(object.entity) || replaced.len() > entities.len() / 8 {
+            return false;
+        }
+        let Some(row) = row_of(&object, &table.order, entities) else { return false };
+        let mut checks = Checks::default();
+        object.check::<T>(&mut checks);
+        let is_replaced = checks.problems.is_empty()
+            && table.surfaces.replace(row, object.surface())
+            && object.shape.replace(&mut table.shapes, row, object.position);
+        if !is_replaced {
+            return false;
+        }
+        // Rows are far fewer than 2^32.
+        replaced.push(u32::try_from(row).unwrap_or(u32::MAX));
+    }
+    S::refit(scene, &replaced);
+    true
+}
+
+/// The row of an object whose order says it; those without order lie by value, and may have to move.
+fn row_of<S>(object: &ObjectRow<S>, order: &[u32], entities: &[Entity]) -> Option<usize> {
+    if object.order == u32::MAX {
+        return None;
+    }
+    let first = order.partition_point(|&order| order < object.order);
+    let is_alone = order.get(first + 1) != Some(&object.order);
+    let is_here = order.get(first) == Some(&object.order) && entities.get(first) == Some(&object.entity);
+    (is_alone && is_here).then_some(first)
+}
+
+/// Rebuilds a table, rows sorted by scene order and then by value.
+fn rebuild<T: Real, S: ExtractShape<T>>(
+    objects: &Objects<S>,
+    incomplete: &Query<Entity, (With<S>, Lacking)>,
+    tables: &mut Tables<T>,
+) {
+    let mut rows = gather(objects);
     rows.sort_by(ObjectRow::compare);
 
     let mut checks = Checks::default();
     let needs = "Position, Color, Ambient and Diffuse";
     let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind: S::NAME, needs });
     checks.problems.extend(missing);
-    tables.revision += 1;
     tables.entities.insert(S::Columns::KIND, rows.iter().map(|row| row.entity).collect());
-    let table = S::table(Arc::make_mut(&mut tables.scene));
+    let scene = Arc::make_mut(&mut tables.scene);
+    S::forget_tree(&mut scene.trees);
+    let table = S::table(scene);
     *table = ShapeTable::default();
     for row in &rows {
         row.check::<T>(&mut checks);
@@ -96,6 +165,22 @@ pub(super) fn gather<S: Shape>(objects: &Objects<S>) -> Vec<ObjectRow<S>> {
 }
 
 impl<S: Shape> ObjectRow<S> {
+    fn from_data(data: <ObjectData<S> as QueryData>::Item<'_, '_>) -> Self {
+        let (entity, &shape, position, (color, ambient, diffuse), order, (gloss, mirror, textured)) = data;
+        Self {
+            entity,
+            shape,
+            position: position.0,
+            order: order.map_or(u32::MAX, |order| order.0),
+            color: color.0,
+            ambient: ambient.0,
+            diffuse: diffuse.0,
+            gloss: gloss.copied(),
+            mirror: mirror.copied(),
+            textured: textured.cloned(),
+        }
+    }
+
     /// Scene order first. Rows without one are sorted by value, never by how the World happens to store them:
     /// bevy reorders its tables on despawn and insert, and the picture must not change when it does.
     pub(super) fn compare(&self, other: &Self) -> Ordering {

@@ -3,8 +3,10 @@
 //! ```text
 //! Stage::Control   control_camera   the moves that were asked for, if any
 //! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
+//!                                   row by row where values changed in few of them
 //!                  extract_lights   only if lights changed, came or went
 //!                  extract_camera   always: two tangents
+//! Stage::Build     build_trees      only if a large table has no tree, or has changed
 //! Stage::Trace     trace            tables and camera to film, tiles in parallel
 //! Stage::List      list_objects     what the preview draws, per shape kind, only if that kind changed
 //!                  list_lights      only if lights changed
@@ -16,6 +18,7 @@
 //! `.before(Stage::Extract)`, those that ask for moves `.before(Stage::Control)`. The preview's list
 //! is a schedule of its own and reads neither tables nor film. Systems touch no file and hold no arithmetic.
 
+mod build_trees;
 mod changes;
 mod control_camera;
 mod extract_camera;
@@ -35,6 +38,7 @@ use bevy_ecs::schedule::{IntoScheduleConfigs, Schedule};
 use crate::components::{CameraInput, Checkerboard, Cube, Pyramid, Sampling, Snapshot, Sphere};
 use crate::geometry::Real;
 
+use build_trees::{build_trees, trees_are_lacking};
 use changes::{lights_changed, objects_changed};
 use control_camera::control_camera;
 use extract_camera::extract_camera;
@@ -58,6 +62,8 @@ pub enum Stage {
     Control,
     /// World to tables.
     Extract,
+    /// Tables to what makes them fast to search.
+    Build,
     /// Tables to film.
     Trace,
     /// World to what the preview draws.
@@ -80,9 +86,10 @@ pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
 /// The whole frame: every stage in its order. The World must be [`prepare`]d for the same precision.
 pub fn frame_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
-    schedule.configure_sets((Stage::Control, Stage::Extract, Stage::Trace).chain());
+    schedule.configure_sets((Stage::Control, Stage::Extract, Stage::Build, Stage::Trace).chain());
     add_control(&mut schedule);
     add_extract::<T>(&mut schedule);
+    add_build::<T>(&mut schedule);
     add_trace::<T>(&mut schedule);
     schedule.add_systems(end_frame.after(Stage::Trace));
     schedule
@@ -95,11 +102,28 @@ pub fn control_schedule() -> Schedule {
     schedule
 }
 
-/// [`Stage::Extract`] alone.
+/// All up to tables that can be traced: [`Stage::Extract`] and [`Stage::Build`].
 pub fn extract_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    schedule.configure_sets((Stage::Extract, Stage::Build).chain());
+    add_extract::<T>(&mut schedule);
+    add_build::<T>(&mut schedule);
+    schedule.add_systems(end_frame.after(Stage::Build));
+    schedule
+}
+
+/// [`Stage::Extract`] alone, for who measures the stages: what was extracted is to be built before it is traced.
+pub fn tables_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
     add_extract::<T>(&mut schedule);
     schedule.add_systems(end_frame.after(Stage::Extract));
+    schedule
+}
+
+/// [`Stage::Build`] alone.
+pub fn build_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    add_build::<T>(&mut schedule);
     schedule
 }
 
@@ -143,6 +167,10 @@ fn add_extract<T: Real>(schedule: &mut Schedule) {
         )
             .in_set(Stage::Extract),
     );
+}
+
+fn add_build<T: Real>(schedule: &mut Schedule) {
+    schedule.add_systems(build_trees::<T>.run_if(trees_are_lacking::<T>).in_set(Stage::Build));
 }
 
 fn add_trace<T: Real>(schedule: &mut Schedule) {

@@ -6,7 +6,8 @@ use glam::DVec3;
 use crate::components::{Checkerboard, Cube, Pyramid, Sphere, Textured};
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable, SphereColumns,
+    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable,
+    SphereColumns, Trees, refit_tree,
 };
 
 /// A shape component.
@@ -25,6 +26,12 @@ pub(super) trait ExtractShape<T: Real>: Shape {
 
     /// Its table among all.
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns>;
+    /// Drops the tree of its table, which is about to change.
+    fn forget_tree(trees: &mut Trees<T>);
+    /// Brings the tree of its table up to date with some rows that changed.
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]);
+    /// Writes this shape over a row, if that can be done.
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool;
     /// Adds a row for this shape.
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>);
 }
@@ -42,6 +49,22 @@ impl<T: Real> ExtractShape<T> for Sphere {
 
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
         &mut scene.spheres
+    }
+
+    fn forget_tree(trees: &mut Trees<T>) {
+        trees.spheres = None;
+    }
+
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]) {
+        refit_tree(&mut scene.trees.spheres, &scene.spheres.shapes, rows);
+    }
+
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool {
+        columns.replace(
+            row,
+            SphereShape { center: Vector::from_dvec3(position), radius: T::from_f64(self.radius) },
+        );
+        true
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
@@ -65,6 +88,19 @@ impl<T: Real> ExtractShape<T> for Cube {
         &mut scene.cubes
     }
 
+    fn forget_tree(trees: &mut Trees<T>) {
+        trees.cubes = None;
+    }
+
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]) {
+        refit_tree(&mut scene.trees.cubes, &scene.cubes.shapes, rows);
+    }
+
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool {
+        columns.replace(row, CubeShape::new(position, self.side));
+        true
+    }
+
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
         columns.push(CubeShape::new(position, self.side));
     }
@@ -85,6 +121,19 @@ impl<T: Real> ExtractShape<T> for Pyramid {
         &mut scene.pyramids
     }
 
+    fn forget_tree(trees: &mut Trees<T>) {
+        trees.pyramids = None;
+    }
+
+    fn refit(scene: &mut SceneTables<T>, rows: &[u32]) {
+        refit_tree(&mut scene.trees.pyramids, &scene.pyramids.shapes, rows);
+    }
+
+    fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool {
+        columns.replace(row, PyramidShape::new(position, self.width, self.height));
+        true
+    }
+
     fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
         columns.push(PyramidShape::new(position, self.width, self.height));
     }
@@ -103,6 +152,15 @@ impl<T: Real> ExtractShape<T> for Checkerboard {
 
     fn table(scene: &mut SceneTables<T>) -> &mut ShapeTable<T, Self::Columns> {
         &mut scene.boards
+    }
+
+    fn forget_tree(_trees: &mut Trees<T>) {}
+
+    fn refit(_scene: &mut SceneTables<T>, _rows: &[u32]) {}
+
+    /// There are few boards.
+    fn replace(&self, _columns: &mut Self::Columns, _row: usize, _position: DVec3) -> bool {
+        false
     }
 
     fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {

@@ -68,7 +68,7 @@ pub fn trace_pass<T: Real>(
     let mut tiles = film.tiles_mut(workers.tile_size);
     workers.pool.install(|| {
         let each = tiles.par_iter_mut().map(|tile| {
-            let counts = exposure.trace_tile(pass, tile, || !monitor.is_cancelled());
+            let counts = exposure.trace_tile(workers.simd, pass, tile, || !monitor.is_cancelled());
             if !monitor.is_cancelled() {
                 monitor.tile_done(tile.area());
             }

@@ -8,11 +8,14 @@ use bevy_ecs::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
 
+use crate::trace::Simd;
+
 /// The threads of the heavy systems; a clone shares them. No picture depends on their number or on the tile size.
 #[derive(Resource, Clone, Debug)]
 pub struct Workers {
     pub(super) pool: Arc<ThreadPool>,
     pub(super) tile_size: u32,
+    pub(super) simd: Simd,
 }
 
 impl Workers {
@@ -22,13 +25,19 @@ impl Workers {
         let builder = ThreadPoolBuilder::new().num_threads(threads.map_or(0, NonZeroUsize::get));
         let pool = builder.build().map_err(|error| WorkersError(error.to_string()))?;
         // 32 x 32 pixels: enough tiles to keep all threads busy to the end, few enough not to matter themselves.
-        Ok(Self { pool: Arc::new(pool), tile_size: 32 })
+        Ok(Self { pool: Arc::new(pool), tile_size: 32, simd: Simd::detect() })
     }
 
     /// The same threads with tiles of another size, in pixels along each side.
     #[must_use]
     pub fn with_tile_size(self, tile_size: u32) -> Self {
         Self { tile_size, ..self }
+    }
+
+    /// The same threads with other vector instructions.
+    #[must_use]
+    pub fn with_simd(self, simd: Simd) -> Self {
+        Self { simd, ..self }
     }
 
     /// Number of threads.

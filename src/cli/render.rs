@@ -11,7 +11,7 @@ use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
 use crate::image_file::encode;
 use crate::systems::{
-    Frame, FrameError, Monitor, Tables, Workers, extract_schedule, prepare, trace_schedule,
+    Frame, FrameError, Monitor, Tables, Workers, build_schedule, prepare, tables_schedule, trace_schedule,
 };
 use crate::whole_file::{check_writable, write_whole};
 
@@ -45,8 +45,10 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     phases.load = clock.lap();
 
     prepare::<T>(&mut world, Workers::new(args.threads)?);
-    extract_schedule::<T>().run(&mut world);
+    tables_schedule::<T>().run(&mut world);
     phases.extract = clock.lap();
+    build_schedule::<T>().run(&mut world);
+    phases.build = clock.lap();
 
     let progress = progress_bar(snapshot, args.samples);
     world.insert_resource(monitor(&progress, &stop));

@@ -32,7 +32,7 @@ pub(super) struct Phases {
     pub(super) load: f64,
     /// World to tables.
     pub(super) extract: f64,
-    /// Building what makes tables fast to search; every row is tested so far, so there is nothing to build.
+    /// Building what makes large tables fast to search.
     pub(super) build: f64,
     /// Tables to film.
     pub(super) trace: f64,

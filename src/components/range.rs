@@ -26,7 +26,8 @@ impl Range {
 
     /// The allowed number that is closest to a value; `None` for NaN.
     pub fn nearest(&self, value: f64) -> Option<f64> {
-        let ends = if self.open { (self.low.next_up(), self.high.next_down()) } else { (self.low, self.high) };
+        let ends =
+            if self.open { (self.low.next_up(), self.high.next_down()) } else { (self.low, self.high) };
         (!value.is_nan()).then(|| value.clamp(ends.0, ends.1))
     }
 }

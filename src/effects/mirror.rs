@@ -7,3 +7,9 @@ use crate::geometry::{Real, Vector};
 pub fn reflect<T: Real>(direction: Vector<T>, normal: Vector<T>) -> Vector<T> {
     (direction - normal * (T::TWO * direction.dot(normal))).unit()
 }
+
+/// [`reflect`], bit for bit and without branches: unit vectors give no short one.
+#[inline(always)]
+pub fn reflect_long<T: Real>(direction: Vector<T>, normal: Vector<T>) -> Vector<T> {
+    (direction - normal * (T::TWO * direction.dot(normal))).unit_of_long()
+}

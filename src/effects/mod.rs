@@ -16,7 +16,7 @@ pub use checker::{CellPoint, cell_point};
 pub use diffuse::lambert;
 pub use falloff::attenuation;
 pub use gloss::phong;
-pub use mirror::reflect;
+pub use mirror::{reflect, reflect_long};
 pub use rgb::Rgb;
 pub use spot_cone::Cone;
 pub use texture::texel_index;

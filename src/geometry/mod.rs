@@ -9,24 +9,29 @@
 //! All kernels are generic over the precision ([`Real`]: `f64`, `f32`).
 
 mod basis;
+mod bounded;
 mod clip;
 mod compensated;
 mod cube;
+mod exponential;
 mod eye;
 mod plane;
 mod pyramid;
 mod ray;
 mod real;
 mod sphere;
+mod straight;
 mod vector;
 
 pub use basis::{basis_looking, head_left, is_camera_basis, tilt, turn_left, turn_up};
+pub use bounded::{Ball, Bounded, Bounds3};
 pub use compensated::{two_diff, two_prod, two_sum};
 pub use cube::CubeShape;
 pub use eye::{Raised, along, raise};
 pub use plane::PlaneShape;
 pub use pyramid::PyramidShape;
 pub use ray::{Convex, Crossing, Ray, Side, SurfacePoint};
-pub use real::Real;
+pub use real::{ByPrecision, Real};
 pub use sphere::SphereShape;
+pub use straight::{Meeting, Straight};
 pub use vector::Vector;

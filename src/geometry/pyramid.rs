@@ -19,9 +19,9 @@ pub struct PyramidShape<T> {
     pub height: T,
 }
 
-const BASE: u8 = 4;
+pub(super) const BASE: u8 = 4;
 /// Axis and direction in which a side face looks.
-const SIDES: [(usize, bool); 4] = [(0, false), (0, true), (1, false), (1, true)];
+pub(super) const SIDES: [(usize, bool); 4] = [(0, false), (0, true), (1, false), (1, true)];
 
 impl<T: Real> PyramidShape<T> {
     /// The pyramid whose base has its least corner at `corner` and extends by `width` along x and y; the apex is
@@ -39,7 +39,7 @@ impl<T: Real> PyramidShape<T> {
     /// Half-space `t * slope <= room` of a side face. The offset is taken from the apex, and the normal
     /// `(height, half width)` is not normalised: both are exact for exact inputs.
     #[inline(always)]
-    fn side(&self, ray: &Ray<T>, to_apex: Vector<T>, (axis, positive): (usize, bool)) -> (T, T) {
+    pub(super) fn side(&self, ray: &Ray<T>, to_apex: Vector<T>, (axis, positive): (usize, bool)) -> (T, T) {
         let out = if positive { self.height } else { -self.height };
         let room = out * to_apex[axis] + self.half_width * to_apex.z;
         let slope = out * ray.direction[axis] + self.half_width * ray.direction.z;

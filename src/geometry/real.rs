@@ -3,9 +3,11 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use super::exponential;
+
 /// A floating-point precision that every kernel can be compiled for: `f64` (default) or `f32`.
 ///
-/// Transcendental functions come from the `libm` crate, so that a picture is the same on every machine.
+/// `e^x` and `x^y` are our own, so that a picture is the same on every machine and path.
 /// There is deliberately no `mul_add`: without the FMA target feature it calls a software routine, and with it
 /// pictures would depend on the CPU.
 pub trait Real:
@@ -34,6 +36,10 @@ pub trait Real:
     const TWO: Self;
     /// Above every finite number.
     const INFINITY: Self;
+    /// Below every finite number.
+    const LOWEST: Self;
+    /// Not a number: compares false with everything.
+    const NAN: Self;
     /// The largest finite number.
     const MAX: Self;
     /// Unit in the last place of 1: the gap to the next number.
@@ -62,12 +68,15 @@ pub trait Real:
     fn floor(self) -> Self;
     /// The magnitude of `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-    /// `e^self`.
+    /// `e^self`, to 1 ulp.
     fn exp(self) -> Self;
-    /// `self^exponent`.
+    /// `self^exponent` for `self` above 0, to `1 + 3 |exponent ln self|` ulp.
     fn pow(self, exponent: Self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
+
+    /// Does work that is written for each precision by itself.
+    fn by_precision<W: ByPrecision>(input: W::Input<Self>) -> W::Output;
 
     /// The larger of two numbers, neither of them NaN.
     #[inline(always)]
@@ -82,13 +91,29 @@ pub trait Real:
     }
 }
 
+/// Work that exists once for each precision. What is generic over a precision is compiled again wherever it is used; large
+/// pieces of code are better compiled once.
+pub trait ByPrecision {
+    /// What it takes.
+    type Input<T: Real>;
+    /// What it gives.
+    type Output;
+
+    /// The work in `f32`.
+    fn single(input: Self::Input<f32>) -> Self::Output;
+    /// The work in `f64`.
+    fn double(input: Self::Input<f64>) -> Self::Output;
+}
+
 macro_rules! real {
-    ($float:ident, $splitter:expr, $limit:expr, $from:expr, $from_u32:expr, $exp:path, $pow:path) => {
+    ($float:ident, $splitter:expr, $limit:expr, $from:expr, $from_u32:expr, $work:ident) => {
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const TWO: Self = 2.0;
             const INFINITY: Self = $float::INFINITY;
+            const LOWEST: Self = $float::NEG_INFINITY;
+            const NAN: Self = $float::NAN;
             const MAX: Self = $float::MAX;
             const ULP: Self = $float::EPSILON;
             const SQUARE_FLOOR: Self = $float::MIN_POSITIVE / $float::EPSILON;
@@ -126,15 +151,18 @@ macro_rules! real {
             }
             #[inline(always)]
             fn exp(self) -> Self {
-                $exp(self)
+                exponential::exp(self)
             }
             #[inline(always)]
             fn pow(self, exponent: Self) -> Self {
-                $pow(self, exponent)
+                exponential::pow(self, exponent)
             }
             #[inline(always)]
             fn is_finite(self) -> bool {
                 $float::is_finite(self)
+            }
+            fn by_precision<W: ByPrecision>(input: W::Input<Self>) -> W::Output {
+                W::$work(input)
             }
         }
     };
@@ -153,5 +181,5 @@ fn f32_from_u32(value: u32) -> f32 {
     value as f32
 }
 
-real!(f64, 134_217_729.0, 1e70, core::convert::identity, f64::from, libm::exp, libm::pow);
-real!(f32, 4097.0, 1e9, round_to_f32, f32_from_u32, libm::expf, libm::powf);
+real!(f64, 134_217_729.0, 1e70, core::convert::identity, f64::from, double);
+real!(f32, 4097.0, 1e9, round_to_f32, f32_from_u32, single);

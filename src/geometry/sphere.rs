@@ -13,32 +13,32 @@ pub struct SphereShape<T> {
 }
 
 /// The chord that a line cuts out of a ball, with `t = 0` at the ray's origin.
-struct Chord<T> {
+pub(super) struct Chord<T> {
     /// Origin relative to the centre, and what rounding took from it.
-    offset: Vector<T>,
-    offset_error: Vector<T>,
+    pub(super) offset: Vector<T>,
+    pub(super) offset_error: Vector<T>,
     /// Squared length of the direction.
-    a: T,
+    pub(super) a: T,
     /// `a` times the parameter of the chord's middle.
-    h: T,
+    pub(super) h: T,
     /// The chord's middle relative to the centre.
-    middle: Vector<T>,
+    pub(super) middle: Vector<T>,
     /// Squared half chord, in world units; negative where the line misses.
-    half_squared: T,
+    pub(super) half_squared: T,
 }
 
 impl<T: Real> SphereShape<T> {
     /// How far below 0 rounding alone can bring `|o - c|^2 - r^2` for a point on the surface, as
     /// [`locate`](Convex::locate) gives it: half a unit in the last place of each coordinate and three of the normal.
-    #[cold]
-    fn surface_rounding(&self) -> T {
+    #[inline(always)]
+    pub(super) fn surface_rounding(&self) -> T {
         let center = self.center.x.abs() + self.center.y.abs() + self.center.z.abs();
         let four = T::TWO * T::TWO;
         T::TWO * self.radius * T::ULP * (center + four * self.radius)
     }
 
     #[inline(always)]
-    fn chord(&self, ray: &Ray<T>) -> Chord<T> {
+    pub(super) fn chord(&self, ray: &Ray<T>) -> Chord<T> {
         let direction = ray.direction;
         let (offset, offset_error) = two_diff_vector(ray.origin, self.center);
         let a = direction.dot(direction);

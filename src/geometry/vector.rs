@@ -65,6 +65,18 @@ impl<T: Real> Vector<T> {
         if square > T::SQUARE_FLOOR { self / square.sqrt() } else { self.unit_of_short() }
     }
 
+    /// [`unit`](Self::unit), bit for bit, of a vector whose squares do not underflow.
+    #[inline(always)]
+    pub fn unit_of_long(self) -> Self {
+        self / self.length()
+    }
+
+    /// Whether [`unit_of_long`](Self::unit_of_long) is exact.
+    #[inline(always)]
+    pub fn is_long(self) -> bool {
+        self.dot(self) > T::SQUARE_FLOOR
+    }
+
     /// The same where the squares underflow: a light may lie that close to a surface.
     #[cold]
     fn unit_of_short(self) -> Self {

@@ -3,7 +3,7 @@
 use crate::geometry::{Convex, Crossing, Ray, Real};
 
 use super::hit::DepartedRow;
-use super::{Departure, Hit, ObjectId, SceneTables, ShapeColumns, ShapeTable};
+use super::{Departure, Hit, Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 /// The nearest crossing with `t <= reach`. Among crossings at the same `t` the lowest scene order wins, then the
 /// kind, then the row: never the order in which the World keeps its entities.
@@ -35,6 +35,26 @@ pub(super) fn cross_row<T: Real, C: ShapeColumns<T>>(
     }
     let shape = shapes.shape(row as usize);
     if row == departed.within { Some(shape.exit(ray, departed.face)) } else { shape.intersect(ray) }
+}
+
+/// Whether of two objects at the same distance, by their packed names, the first one shows; anything shows before
+/// nobody.
+pub(super) fn comes_first<T: Real>(tables: &SceneTables<T>, name: u32, other: u32) -> bool {
+    if other == ObjectId::NOBODY {
+        return true;
+    }
+    (order_of(tables, name), name) < (order_of(tables, other), other)
+}
+
+fn order_of<T: Real>(tables: &SceneTables<T>, name: u32) -> u32 {
+    let ObjectId { kind, row } = ObjectId::unpacked(name);
+    let order = match kind {
+        Kind::Sphere => &tables.spheres.order,
+        Kind::Cube => &tables.cubes.order,
+        Kind::Pyramid => &tables.pyramids.order,
+        Kind::Board => &tables.boards.order,
+    };
+    order[row as usize]
 }
 
 struct Nearest<T> {

@@ -36,6 +36,17 @@ impl<R> EffectColumn<R> {
         self.rows.get((slot as usize).wrapping_sub(1))
     }
 
+    /// Writes over the effect of a row of the other table; `false`, and nothing done, if it comes or goes.
+    pub fn replace(&mut self, row: usize, effect: Option<R>) -> bool {
+        let slot = self.slots.get(row).map_or(0, |&slot| slot as usize);
+        match (self.rows.get_mut(slot.wrapping_sub(1)), effect) {
+            (Some(place), Some(effect)) => *place = effect,
+            (None, None) => {}
+            _ => return false,
+        }
+        true
+    }
+
     /// Number of rows that have the effect.
     pub fn len(&self) -> usize {
         self.rows.len()

@@ -24,6 +24,30 @@ pub struct ObjectId {
     pub row: u32,
 }
 
+impl ObjectId {
+    /// No object's [`packed`](Self::packed) name.
+    pub(super) const NOBODY: u32 = u32::MAX;
+    const ROW_BITS: u32 = 30;
+
+    /// Kind and row in one number that sorts by kind, then row. There are far fewer than 2^30 rows.
+    #[inline(always)]
+    pub(super) fn packed(kind: Kind, row: u32) -> u32 {
+        ((kind as u32) << Self::ROW_BITS) | row
+    }
+
+    /// The object of a packed name.
+    #[inline(always)]
+    pub(super) fn unpacked(name: u32) -> Self {
+        let kind = match name >> Self::ROW_BITS {
+            0 => Kind::Sphere,
+            1 => Kind::Cube,
+            2 => Kind::Pyramid,
+            _ => Kind::Board,
+        };
+        Self { kind, row: name & ((1 << Self::ROW_BITS) - 1) }
+    }
+}
+
 /// The nearest crossing of a ray with the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit<T> {

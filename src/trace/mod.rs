@@ -12,13 +12,16 @@ mod effect_column;
 mod hit;
 mod light_table;
 mod occlusion;
+mod packet;
 mod radiance;
 mod samples;
 mod shade;
 mod shape_columns;
+mod simd;
 mod surface_table;
 mod tables;
 mod tile;
+mod tree;
 
 pub use camera::{CameraRay, CameraRays};
 pub use census::{EffectCount, TableCount};
@@ -33,6 +36,8 @@ pub use samples::{SampleGrid, SamplePoint};
 pub use shape_columns::{
     BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };
+pub use simd::Simd;
 pub use surface_table::{GlossRow, SurfaceRow, SurfaceTable};
-pub use tables::{SceneTables, ShapeTable};
+pub use tables::{SceneTables, ShapeTable, Trees};
 pub use tile::Exposure;
+pub use tree::{Fork, Packed, SMALLEST_TREE, Sequential, Tree, refit_tree};

@@ -37,7 +37,7 @@ pub fn radiance<T: Real>(
         // One reflected direction serves gloss and mirror; a surface with neither never computes it.
         let needs_mirrored = surface.gloss.is_some() || reflectance.is_some();
         let mirrored = if needs_mirrored { reflect(ray.direction, shaded.normal) } else { ray.direction };
-        let own = own_color(tables, &hit, surface.color, shaded.point);
+        let own = own_color(tables, hit.object, surface.color, shaded.point);
         sum += shade_local(tables, &shaded, &surface, own, mirrored, counts) * weight;
 
         let Some(reflectance) = reflectance else { break };

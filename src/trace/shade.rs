@@ -4,7 +4,7 @@ use crate::components::Texture;
 use crate::effects::{Rgb, attenuation, cell_point, lambert, phong, texel_index};
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
-use super::{Counts, Departure, GlossRow, Hit, Kind, SceneTables, SurfaceRow, is_occluded};
+use super::{Counts, Departure, GlossRow, Hit, Kind, ObjectId, SceneTables, SurfaceRow, is_occluded};
 
 /// A surface point as the shading sees it.
 pub(super) struct Shaded<T> {
@@ -96,15 +96,15 @@ fn gather_lights<T: Real>(
 #[inline(always)]
 pub(super) fn own_color<T: Real>(
     tables: &SceneTables<T>,
-    hit: &Hit<T>,
+    object: ObjectId,
     plain: Rgb<T>,
     point: Vector<T>,
 ) -> Rgb<T> {
-    if hit.object.kind != Kind::Board {
+    if object.kind != Kind::Board {
         return plain;
     }
     let boards = &tables.boards.shapes;
-    let row = hit.object.row as usize;
+    let row = object.row as usize;
     let (origin, width) = boards.pattern(row);
     let cell = cell_point(point.x - origin.x, point.y - origin.y, width);
     match boards.textures.get(row) {

@@ -39,6 +39,12 @@ impl<T: Real> VectorColumns<T> {
         self.z.push(v.z);
     }
 
+    pub(super) fn replace(&mut self, row: usize, v: Vector<T>) {
+        self.x[row] = v.x;
+        self.y[row] = v.y;
+        self.z[row] = v.z;
+    }
+
     pub(super) fn len(&self) -> usize {
         self.x.len()
     }
@@ -61,6 +67,12 @@ impl<T: Real> SphereColumns<T> {
     pub fn push(&mut self, sphere: SphereShape<T>) {
         self.center.push(sphere.center);
         self.radius.push(sphere.radius);
+    }
+
+    /// Writes over a row.
+    pub fn replace(&mut self, row: usize, sphere: SphereShape<T>) {
+        self.center.replace(row, sphere.center);
+        self.radius[row] = sphere.radius;
     }
 }
 
@@ -90,6 +102,12 @@ impl<T: Real> CubeColumns<T> {
     pub fn push(&mut self, cube: CubeShape<T>) {
         self.min.push(cube.min);
         self.max.push(cube.max);
+    }
+
+    /// Writes over a row.
+    pub fn replace(&mut self, row: usize, cube: CubeShape<T>) {
+        self.min.replace(row, cube.min);
+        self.max.replace(row, cube.max);
     }
 }
 
@@ -123,6 +141,14 @@ impl<T: Real> PyramidColumns<T> {
         self.base.push(pyramid.base);
         self.half_width.push(pyramid.half_width);
         self.height.push(pyramid.height);
+    }
+
+    /// Writes over a row.
+    pub fn replace(&mut self, row: usize, pyramid: PyramidShape<T>) {
+        self.apex.replace(row, pyramid.apex);
+        self.base[row] = pyramid.base;
+        self.half_width[row] = pyramid.half_width;
+        self.height[row] = pyramid.height;
     }
 }
 

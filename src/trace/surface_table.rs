@@ -51,6 +51,14 @@ impl<T: Real> SurfaceTable<T> {
         self.mirror.push(surface.mirror);
     }
 
+    /// Writes over a row, if it has the same effects as before.
+    pub fn replace(&mut self, row: usize, surface: SurfaceRow<T>) -> bool {
+        self.color[row] = surface.color;
+        self.ambient[row] = surface.ambient;
+        self.diffuse[row] = surface.diffuse;
+        self.gloss.replace(row, surface.gloss) && self.mirror.replace(row, surface.mirror)
+    }
+
     /// A row as it was added.
     #[inline(always)]
     pub fn row(&self, row: usize) -> SurfaceRow<T> {

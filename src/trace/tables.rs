@@ -1,6 +1,10 @@
 //! The scene as the trace reads it: one structure of arrays per kind of row.
 
-use crate::geometry::Real;
+use std::sync::Arc;
+
+use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape};
+
+use super::tree::{Fork, SMALLEST_TREE, Tree};
 
 use super::{
     BoardColumns, CubeColumns, Kind, LightTable, ObjectId, PyramidColumns, SphereColumns, SurfaceTable,
@@ -17,11 +21,41 @@ pub struct SceneTables<T: Real> {
     pub pyramids: ShapeTable<T, PyramidColumns<T>>,
     /// Checkerboards.
     pub boards: ShapeTable<T, BoardColumns<T>>,
+    /// What makes large tables fast to search; must be dropped or built again when a table changes.
+    pub trees: Trees<T>,
     /// Lights, in the order in which they are summed.
     pub lights: LightTable<T>,
 }
 
+/// The trees of the tables that have one. No picture depends on them, only its time.
+#[derive(Clone, Debug, Default)]
+pub struct Trees<T: Real> {
+    /// Of the spheres.
+    pub spheres: Option<Arc<Tree<T, SphereShape<T>>>>,
+    /// Of the cubes.
+    pub cubes: Option<Arc<Tree<T, CubeShape<T>>>>,
+    /// Of the pyramids.
+    pub pyramids: Option<Arc<Tree<T, PyramidShape<T>>>>,
+}
+
 impl<T: Real> SceneTables<T> {
+    /// Whether a table is large enough for a tree and has none.
+    pub fn lacks_trees(&self) -> bool {
+        let lacks = |rows: usize, has_tree: bool| rows >= SMALLEST_TREE && !has_tree;
+        lacks(self.spheres.order.len(), self.trees.spheres.is_some())
+            || lacks(self.cubes.order.len(), self.trees.cubes.is_some())
+            || lacks(self.pyramids.order.len(), self.trees.pyramids.is_some())
+    }
+
+    /// Builds the trees that are lacking.
+    pub fn build_trees(&mut self, fork: &impl Fork) {
+        let trees = &mut self.trees;
+        let (spheres, cubes, pyramids) = (&self.spheres.shapes, &self.cubes.shapes, &self.pyramids.shapes);
+        trees.spheres = trees.spheres.take().or_else(|| Tree::build(spheres, fork).map(Arc::new));
+        trees.cubes = trees.cubes.take().or_else(|| Tree::build(cubes, fork).map(Arc::new));
+        trees.pyramids = trees.pyramids.take().or_else(|| Tree::build(pyramids, fork).map(Arc::new));
+    }
+
     /// The surface of an object.
     #[inline(always)]
     pub(super) fn surface(&self, object: ObjectId) -> (&SurfaceTable<T>, usize) {

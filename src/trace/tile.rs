@@ -3,7 +3,8 @@
 use crate::film::FilmTile;
 use crate::geometry::Real;
 
-use super::{CameraRays, Counts, SampleGrid, SceneTables, radiance};
+use super::packet::{BLOCK_SIDE, Block, Bounds, Scratch};
+use super::{CameraRays, Counts, SampleGrid, SceneTables, Simd};
 
 /// What a picture is traced from, and how.
 #[derive(Clone, Copy, Debug)]
@@ -20,43 +21,88 @@ pub struct Exposure<'a, T: Real> {
 
 impl<T: Real> Exposure<'_, T> {
     /// One sample of every pixel of a tile, clamped to 0..=1: the first pass sets the pixels, later ones add to them,
-    /// and after the last they hold the sum over the grid. `keep_going` is asked before each row; the rows after a no
-    /// keep what they held.
-    pub fn trace_tile(&self, pass: u32, tile: &mut FilmTile<'_>, keep_going: impl Fn() -> bool) -> Counts {
+    /// and after the last they hold the sum over the grid. `keep_going` is asked before each band of four rows; the
+    /// rows after a no keep what they held.
+    pub fn trace_tile(
+        &self,
+        simd: Simd,
+        pass: u32,
+        tile: &mut FilmTile<'_>,
+        keep_going: impl Fn() -> bool,
+    ) -> Counts {
         // The samples of a pixel are the pixel centres of a finer picture.
-        let side = self.grid.side();
-        let camera = self.camera.refined(side);
-        let point = self.grid.point(pass);
+        let camera = self.camera.refined(self.grid.side());
+        let bounds = Bounds::new(self.tables);
+        let task = BandTask { exposure: self, camera: &camera, bounds: &bounds, pass };
         let mut counts = Counts::default();
+        let mut scratch = Scratch::new();
         let left = tile.left();
-        for (row, pixels) in tile.rows_mut().take_while(|_| keep_going()) {
-            for (column, pixel) in (left..).zip(pixels) {
-                let at = (column * side + point.column, row * side + point.row);
-                let sample = self.sample(&camera, at, &mut counts);
-                if pass == 0 {
+        for (top, rows) in tile.bands_mut(BLOCK_SIDE).take_while(|_| keep_going()) {
+            counts += simd.trace(&task, &mut Band { left, top, rows }, &mut scratch);
+        }
+        counts
+    }
+}
+
+/// Some rows of a tile.
+pub(super) struct Band<'a, 'b> {
+    left: u32,
+    top: u32,
+    rows: &'a mut [&'b mut [[f64; 3]]],
+}
+
+/// What bands are traced from.
+pub(super) struct BandTask<'a, T: Real> {
+    exposure: &'a Exposure<'a, T>,
+    camera: &'a CameraRays<T>,
+    bounds: &'a Bounds<T>,
+    pass: u32,
+}
+
+impl<T: Real> BandTask<'_, T> {
+    /// Traces a band block by block.
+    #[inline(always)]
+    pub(super) fn trace(&self, band: &mut Band<'_, '_>, scratch: &mut Scratch<T>) -> Counts {
+        let mut counts = Counts::default();
+        let Exposure { tables, level, grid, .. } = *self.exposure;
+        let (side, point) = (grid.side(), grid.point(self.pass));
+        let block = Block { tables, bounds: self.bounds, camera: self.camera, level, step: side };
+        let width = band.rows.first().map_or(0, |row| row.len());
+        let height = small(band.rows.len());
+        for first in (0..width).step_by(BLOCK_SIDE as usize) {
+            let corner = ((band.left + small(first)) * side + point.column, band.top * side + point.row);
+            let columns = small(width - first).min(BLOCK_SIDE);
+            let put = |row: usize, column: usize, sample| {
+                let pixel = &mut band.rows[row][first + column];
+                if self.pass == 0 {
                     *pixel = sample;
                 } else {
                     add(pixel, sample);
                 }
+            };
+            if level == 0 {
+                blacken(columns, height, put);
+            } else {
+                block.trace(corner, (columns, height), scratch, &mut counts, put);
             }
         }
         counts
     }
+}
 
-    fn sample(&self, camera: &CameraRays<T>, (column, row): (u32, u32), counts: &mut Counts) -> [f64; 3] {
-        if self.level == 0 {
-            return [0.0; 3];
-        }
-        counts.rays.primary += 1;
-        let start = camera.ray(column, row);
-        let color = radiance(self.tables, start.ray, start.reach, self.level, counts).to_f64();
-        if color.iter().all(|channel| channel.is_finite()) {
-            color.map(|channel| channel.clamp(0.0, 1.0))
-        } else {
-            counts.non_finite += 1;
-            [0.0; 3]
+/// At level 0 no ray is traced.
+fn blacken(width: u32, height: u32, mut put: impl FnMut(usize, usize, [f64; 3])) {
+    for row in 0..height as usize {
+        for column in 0..width as usize {
+            put(row, column, [0.0; 3]);
         }
     }
+}
+
+/// A number of pixels in a tile, which is no larger than a film.
+#[inline(always)]
+fn small(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(0)
 }
 
 fn add(pixel: &mut [f64; 3], sample: [f64; 3]) {

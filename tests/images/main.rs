@@ -12,8 +12,10 @@
 
 mod agreement;
 mod closed_forms;
+mod crowds;
 mod metamorphic;
 mod naive;
+mod paths;
 mod samples;
 #[path = "../support/mod.rs"]
 mod support;

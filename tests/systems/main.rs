@@ -11,6 +11,7 @@
 
 mod control_camera;
 mod describe;
+mod edits;
 mod extraction;
 mod frames;
 mod problems;

@@ -1,0 +1,39 @@
+//! The sphere.
+
+use super::{Meeting, Straight};
+use crate::geometry::compensated::square_excess;
+use crate::geometry::{Ray, Real, SphereShape, SurfacePoint};
+
+impl<T: Real> Straight<T> for SphereShape<T> {
+    #[inline(always)]
+    fn may_meet(&self, ray: &Ray<T>) -> bool {
+        let passes_by = self.chord(ray).half_squared < T::ZERO;
+        !passes_by
+    }
+
+    #[inline(always)]
+    fn meet(&self, ray: &Ray<T>) -> Meeting<T> {
+        let chord = self.chord(ray);
+        let c = square_excess(chord.offset, chord.offset_error, self.radius);
+        let leaves = (chord.h < T::ZERO) & (c < T::ZERO) & (-c <= self.surface_rounding());
+        let q = chord.h + (chord.a * chord.half_squared).sqrt().copysign(chord.h);
+        let (c_root, q_root) = (c / q, q / chord.a);
+        let ahead = chord.h > T::ZERO;
+        let near = if ahead { c_root } else { q_root };
+        let far = if ahead { q_root } else { c_root };
+        let outside = near > T::ZERO;
+        let t = if outside { near } else { far };
+        // The root of a negative number is NaN, and so is every t from it.
+        let meets = !leaves & (t > T::ZERO) & (t < T::INFINITY);
+        Meeting { t: if meets { t } else { T::NAN }, face: 0, inside: !outside }
+    }
+
+    #[inline(always)]
+    fn surface(&self, ray: &Ray<T>, meeting: &Meeting<T>) -> SurfacePoint<T> {
+        let chord = self.chord(ray);
+        let half = (chord.half_squared.at_least(T::ZERO) / chord.a).sqrt();
+        let along = if meeting.inside { half } else { -half };
+        let normal = (chord.middle + ray.direction * along).unit_of_long();
+        SurfacePoint { point: self.center + normal * self.radius, normal }
+    }
+}

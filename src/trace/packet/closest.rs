@@ -1,0 +1,145 @@
+//! The nearest surface along each ray of a packet.
+
+use crate::geometry::{Convex, Crossing, Ray, Real, Straight};
+use crate::trace::closest::comes_first;
+use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
+
+use super::bounds::Candidates;
+use super::lanes::{LANES, Lanes, OUTWARD, RayLanes};
+use super::trees::{Scratch, search_tree};
+
+/// What each ray met.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HitLanes<T> {
+    /// Ray parameter, or the ray's reach.
+    pub(super) t: Lanes<T>,
+    /// Packed name of the object, or nobody's.
+    pub(super) name: Lanes<u32>,
+    /// The face by which a ray leaves the object that it started into, or [`OUTWARD`].
+    pub(super) exit: Lanes<u32>,
+}
+
+/// [`closest_hit`](crate::trace::closest_hit) for every lane.
+#[inline(always)]
+pub(super) fn closest<T: Real>(
+    tables: &SceneTables<T>,
+    rays: &RayLanes<T>,
+    candidates: &Candidates,
+    scratch: &mut Scratch<T>,
+) -> HitLanes<T> {
+    let mut hits = HitLanes { t: rays.reach, name: [ObjectId::NOBODY; LANES], exit: [OUTWARD; LANES] };
+    search(tables, &tables.spheres, candidates.of(Kind::Sphere), rays, &mut hits);
+    search(tables, &tables.cubes, candidates.of(Kind::Cube), rays, &mut hits);
+    search(tables, &tables.pyramids, candidates.of(Kind::Pyramid), rays, &mut hits);
+    search(tables, &tables.boards, candidates.of(Kind::Board), rays, &mut hits);
+    let trees = &tables.trees;
+    search_tree(tables, Kind::Sphere, trees.spheres.as_deref(), rays, &mut hits, scratch);
+    search_tree(tables, Kind::Cube, trees.cubes.as_deref(), rays, &mut hits, scratch);
+    search_tree(tables, Kind::Pyramid, trees.pyramids.as_deref(), rays, &mut hits, scratch);
+    if rays.any_inward {
+        leave(tables, rays, &mut hits);
+    }
+    hits
+}
+
+#[inline(always)]
+fn search<T: Real, C>(
+    tables: &SceneTables<T>,
+    table: &ShapeTable<T, C>,
+    rows: impl Iterator<Item = u32>,
+    rays: &RayLanes<T>,
+    hits: &mut HitLanes<T>,
+) where
+    C: ShapeColumns<T, Shape: Straight<T>>,
+{
+    for row in rows {
+        let shape = table.shapes.shape(row as usize);
+        let mut worthwhile = false;
+        for lane in 0..LANES {
+            worthwhile |= shape.may_meet(&rays.get(lane));
+        }
+        if worthwhile {
+            test(tables, &shape, ObjectId::packed(C::KIND, row), rays, hits);
+        }
+    }
+}
+
+#[inline(always)]
+fn test<T: Real>(
+    tables: &SceneTables<T>,
+    shape: &impl Straight<T>,
+    name: u32,
+    rays: &RayLanes<T>,
+    hits: &mut HitLanes<T>,
+) {
+    let mut any_tie = false;
+    for lane in 0..LANES {
+        let t = shape.meet(&rays.get(lane)).t;
+        let counts = rays.departed[lane] != name;
+        let nearer = counts & (t < hits.t[lane]);
+        any_tie |= counts & (t == hits.t[lane]);
+        hits.t[lane] = if nearer { t } else { hits.t[lane] };
+        hits.name[lane] = if nearer { name } else { hits.name[lane] };
+    }
+    if any_tie {
+        settle_ties(tables, shape, name, rays, hits);
+    }
+}
+
+/// Gives a shape those lanes in which it is as near as another one and comes first.
+#[cold]
+#[inline(never)]
+fn settle_ties<T: Real>(
+    tables: &SceneTables<T>,
+    shape: &impl Straight<T>,
+    name: u32,
+    rays: &RayLanes<T>,
+    hits: &mut HitLanes<T>,
+) {
+    for lane in 0..LANES {
+        let is_tie = rays.departed[lane] != name && shape.meet(&rays.get(lane)).t == hits.t[lane];
+        if is_tie && comes_first(tables, name, hits.name[lane]) {
+            hits.name[lane] = name;
+        }
+    }
+}
+
+/// Rays that started into an object leave it.
+#[cold]
+#[inline(never)]
+fn leave<T: Real>(tables: &SceneTables<T>, rays: &RayLanes<T>, hits: &mut HitLanes<T>) {
+    for lane in 0..LANES {
+        let Some(crossing) = exit_of(tables, rays, lane) else { continue };
+        let name = rays.departed[lane];
+        let is_tie = crossing.t == hits.t[lane];
+        if crossing.t < hits.t[lane] || (is_tie && comes_first(tables, name, hits.name[lane])) {
+            hits.t[lane] = crossing.t;
+            hits.name[lane] = name;
+            hits.exit[lane] = crossing.face.into();
+        }
+    }
+}
+
+/// Where the ray of a lane leaves the object that it started into, if it did.
+pub(super) fn exit_of<T: Real>(
+    tables: &SceneTables<T>,
+    rays: &RayLanes<T>,
+    lane: usize,
+) -> Option<Crossing<T>> {
+    let name = rays.departed[lane];
+    if name == ObjectId::NOBODY || rays.face[lane] == OUTWARD {
+        return None;
+    }
+    let face = u8::try_from(rays.face[lane]).unwrap_or(0);
+    Some(exit(tables, ObjectId::unpacked(name), &rays.get(lane), face))
+}
+
+fn exit<T: Real>(tables: &SceneTables<T>, object: ObjectId, ray: &Ray<T>, face: u8) -> Crossing<T> {
+    let row = object.row as usize;
+    match object.kind {
+        Kind::Sphere => tables.spheres.shapes.shape(row).exit(ray, face),
+        Kind::Cube => tables.cubes.shapes.shape(row).exit(ray, face),
+        Kind::Pyramid => tables.pyramids.shapes.shape(row).exit(ray, face),
+        Kind::Board => tables.boards.shapes.shape(row).exit(ray, face),
+    }
+}

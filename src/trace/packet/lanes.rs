@@ -1,0 +1,132 @@
+//! Numbers and vectors, sixteen at a time.
+
+use crate::geometry::{Ray, Real, Vector};
+use crate::trace::ObjectId;
+
+/// Rays in a packet: a vector of the widest registers in single precision, two in double.
+pub(super) const LANES: usize = 16;
+
+/// One number a lane.
+pub(super) type Lanes<T> = [T; LANES];
+
+/// One vector a lane.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(super) struct VectorLanes<T> {
+    pub(super) x: Lanes<T>,
+    pub(super) y: Lanes<T>,
+    pub(super) z: Lanes<T>,
+}
+
+impl<T: Real> VectorLanes<T> {
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Self { x: [T::ZERO; LANES], y: [T::ZERO; LANES], z: [T::ZERO; LANES] }
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> Vector<T> {
+        Vector::new(self.x[lane], self.y[lane], self.z[lane])
+    }
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, lane: usize, v: Vector<T>) {
+        self.x[lane] = v.x;
+        self.y[lane] = v.y;
+        self.z[lane] = v.z;
+    }
+
+    /// Sets a lane, or leaves it.
+    #[inline(always)]
+    pub(super) fn set_if(&mut self, condition: bool, lane: usize, v: Vector<T>) {
+        self.x[lane] = if condition { v.x } else { self.x[lane] };
+        self.y[lane] = if condition { v.y } else { self.y[lane] };
+        self.z[lane] = if condition { v.z } else { self.z[lane] };
+    }
+
+    /// [`Vector::unit`] of every lane.
+    #[inline(always)]
+    pub(super) fn unit(&self) -> Self {
+        let mut unit = Self::zero();
+        let mut any_short = false;
+        for lane in 0..LANES {
+            let v = self.get(lane);
+            any_short |= !v.is_long();
+            unit.set(lane, v.unit_of_long());
+        }
+        if any_short {
+            self.mend_short(&mut unit);
+        }
+        unit
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn mend_short(&self, unit: &mut Self) {
+        for lane in 0..LANES {
+            unit.set(lane, self.get(lane).unit());
+        }
+    }
+}
+
+/// Rays, with what each may meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RayLanes<T> {
+    pub(super) origin: VectorLanes<T>,
+    pub(super) direction: VectorLanes<T>,
+    /// How far a crossing counts; below 0 in idle lanes.
+    pub(super) reach: Lanes<T>,
+    /// Packed name of the object that the ray leaves, or nobody's.
+    pub(super) departed: Lanes<u32>,
+    /// The face that it leaves into its object, or [`OUTWARD`].
+    pub(super) face: Lanes<u32>,
+    /// Whether any lane goes into its object.
+    pub(super) any_inward: bool,
+}
+
+/// In place of a face: the ray does not go into an object.
+pub(super) const OUTWARD: u32 = u32::MAX;
+
+impl<T: Real> RayLanes<T> {
+    /// Idle rays.
+    #[inline(always)]
+    pub(super) fn idle() -> Self {
+        Self {
+            origin: VectorLanes::zero(),
+            direction: VectorLanes::zero(),
+            reach: [-T::INFINITY; LANES],
+            departed: [ObjectId::NOBODY; LANES],
+            face: [OUTWARD; LANES],
+            any_inward: false,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> Ray<T> {
+        Ray { origin: self.origin.get(lane), direction: self.direction.get(lane) }
+    }
+
+    /// The lanes that are at work, one bit each.
+    #[inline(always)]
+    pub(super) fn active(&self) -> u32 {
+        mask(|lane| self.reach[lane] >= T::ZERO)
+    }
+}
+
+/// The lanes of which something is true, one bit each.
+#[inline(always)]
+pub(super) fn mask(is_true: impl Fn(usize) -> bool) -> u32 {
+    let mut bits = 0;
+    for lane in 0..LANES {
+        bits |= u32::from(is_true(lane)) << lane;
+    }
+    bits
+}
+
+/// The greatest of all lanes, none of them NaN.
+#[inline(always)]
+pub(super) fn greatest<T: Real>(values: &Lanes<T>) -> T {
+    let eight: [T; 8] = core::array::from_fn(|lane| values[lane].at_least(values[lane + 8]));
+    let four: [T; 4] = core::array::from_fn(|lane| eight[lane].at_least(eight[lane + 4]));
+    four[0].at_least(four[2]).at_least(four[1].at_least(four[3]))
+}

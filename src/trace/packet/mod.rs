@@ -1,0 +1,28 @@
+//! Sixteen rays at once.
+//!
+//! A block of 4 x 4 pixels is traced together: one shape or one light against all its rays, in loops over lanes that a
+//! compiler turns into vector instructions of whatever width there is. Each lane does what [`radiance`] does for one
+//! ray, by the same operations in the same order, so a picture is the same to the bit on every path. A lane that has
+//! nothing to do reaches nothing: its reach is below 0.
+//!
+//! [`radiance`]: super::radiance()
+
+#![expect(
+    clippy::needless_range_loop,
+    reason = "a loop over lanes indexes them all: that is the form compilers turn into vector instructions"
+)]
+
+mod block;
+mod bounds;
+mod bundle;
+mod closest;
+mod lanes;
+mod lights;
+mod occlusion;
+mod path;
+mod surface;
+mod trees;
+
+pub(super) use block::{BLOCK_SIDE, Block};
+pub(super) use bounds::Bounds;
+pub(super) use trees::Scratch;

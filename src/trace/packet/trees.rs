@@ -1,0 +1,157 @@
+//! Packets and trees: lane by lane, each ray by itself.
+
+use crate::geometry::Real;
+use crate::trace::closest::comes_first;
+use crate::trace::tree::{Packed, Stack, Tree, TreeRay, TreeSearch};
+use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
+
+use super::closest::HitLanes;
+use super::lanes::{LANES, RayLanes};
+
+/// What searches need room for, kept from one to the next.
+pub(in crate::trace) struct Scratch<T> {
+    stack: Stack<T>,
+    /// For some lights and each kind, the row that hid a light last: likely to hide it again.
+    occluders: [[u32; 3]; LIGHTS],
+}
+
+/// Lights that a last occluder is remembered for; others share.
+const LIGHTS: usize = 8;
+/// No row.
+const NONE: u32 = u32::MAX;
+
+impl<T: Real> Scratch<T> {
+    pub(in crate::trace) fn new() -> Self {
+        Self { stack: Stack::new(), occluders: [[NONE; 3]; LIGHTS] }
+    }
+}
+
+/// The nearest row so far.
+struct Nearest<'a, T: Real> {
+    tables: &'a SceneTables<T>,
+    kind: Kind,
+    t: T,
+    name: u32,
+}
+
+impl<T: Real> TreeSearch<T> for Nearest<'_, T> {
+    #[inline(always)]
+    fn reach(&self) -> T {
+        self.t
+    }
+
+    #[inline(always)]
+    fn meet(&mut self, row: u32, t: T) {
+        let name = ObjectId::packed(self.kind, row);
+        if t < self.t || (t == self.t && comes_first(self.tables, name, self.name)) {
+            self.t = t;
+            self.name = name;
+        }
+    }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        false
+    }
+}
+
+/// Any row before the end of a segment.
+struct Any {
+    row: u32,
+}
+
+impl<T: Real> TreeSearch<T> for Any {
+    #[inline(always)]
+    fn reach(&self) -> T {
+        T::ONE
+    }
+
+    #[inline(always)]
+    fn meet(&mut self, row: u32, t: T) {
+        if t < T::ONE {
+            self.row = row;
+        }
+    }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.row != NONE
+    }
+}
+
+/// Searches the tree of one kind for every lane.
+#[inline(always)]
+pub(super) fn search_tree<T: Real, S: Packed<T>>(
+    tables: &SceneTables<T>,
+    kind: Kind,
+    tree: Option<&Tree<T, S>>,
+    rays: &RayLanes<T>,
+    hits: &mut HitLanes<T>,
+    scratch: &mut Scratch<T>,
+) {
+    let Some(tree) = tree else { return };
+    for lane in 0..LANES {
+        if rays.reach[lane] >= T::ZERO {
+            let ray = TreeRay::new(rays.get(lane), tree.rounding());
+            let mut nearest = Nearest { tables, kind, t: hits.t[lane], name: hits.name[lane] };
+            let departed = departed_row(rays, lane, kind);
+            tree.search::<true>(&ray, departed, &mut nearest, &mut scratch.stack);
+            hits.t[lane] = nearest.t;
+            hits.name[lane] = nearest.name;
+        }
+    }
+}
+
+/// Searches the tree of one kind for whatever hides a light.
+#[inline(always)]
+pub(super) fn block_tree<T: Real, C>(
+    table: &ShapeTable<T, C>,
+    tree: Option<&Tree<T, C::Shape>>,
+    segments: &mut RayLanes<T>,
+    light: usize,
+    scratch: &mut Scratch<T>,
+) where
+    C: ShapeColumns<T, Shape: Packed<T>>,
+{
+    let Some(tree) = tree else { return };
+    let last = &mut scratch.occluders[light % LIGHTS][C::KIND as usize % 3];
+    for lane in 0..LANES {
+        if segments.reach[lane] > T::ZERO {
+            let segment = segments.get(lane);
+            let departed = departed_row(segments, lane, C::KIND);
+            if hides::<T, C>(table, *last, departed, &segment) {
+                segments.reach[lane] = -T::INFINITY;
+                continue;
+            }
+            let mut any = Any { row: NONE };
+            let ray = TreeRay::new(segment, tree.rounding());
+            tree.search::<false>(&ray, departed, &mut any, &mut scratch.stack);
+            if any.row != NONE {
+                *last = any.row;
+                segments.reach[lane] = -T::INFINITY;
+            }
+        }
+    }
+}
+
+/// Whether the row that hid a light last hides it here.
+#[inline(always)]
+fn hides<T: Real, C>(
+    table: &ShapeTable<T, C>,
+    row: u32,
+    departed: u32,
+    segment: &crate::geometry::Ray<T>,
+) -> bool
+where
+    C: ShapeColumns<T, Shape: Packed<T>>,
+{
+    use crate::geometry::Straight as _;
+    row != NONE && row != departed && table.shapes.shape(row as usize).meet(segment).t < T::ONE
+}
+
+/// The row of one kind that the ray of a lane leaves.
+#[inline(always)]
+fn departed_row<T: Real>(rays: &RayLanes<T>, lane: usize, kind: Kind) -> u32 {
+    let ObjectId { kind: departed, row } = ObjectId::unpacked(rays.departed[lane]);
+    if departed == kind { row } else { NONE }
+}

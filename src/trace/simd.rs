@@ -1,0 +1,119 @@
+//! Which vector instructions there are: the one place that chooses between copies of the same code.
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(unsafe_code, reason = "calling code for instructions that were found to be there")
+)]
+
+use core::marker::PhantomData;
+
+use crate::geometry::{ByPrecision, Real};
+
+use super::Counts;
+use super::packet::Scratch;
+use super::tile::{Band, BandTask};
+
+/// The vector instructions that pictures are traced with. No picture depends on them, only its time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Simd(Level);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Level {
+    /// What every processor of this kind has.
+    Baseline,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+impl Simd {
+    /// The widest that this processor has.
+    pub fn detect() -> Self {
+        Self::available().pop().unwrap_or(Self(Level::Baseline))
+    }
+
+    /// All that this processor has, the widest last.
+    pub fn available() -> Vec<Self> {
+        let levels = [
+            Some(Level::Baseline),
+            #[cfg(target_arch = "x86_64")]
+            is_x86_feature_detected!("avx2").then_some(Level::Avx2),
+            #[cfg(target_arch = "x86_64")]
+            has_avx512().then_some(Level::Avx512),
+        ];
+        levels.into_iter().flatten().map(Self).collect()
+    }
+
+    /// Traces a band of pixels.
+    pub(super) fn trace<'a, 'b, T: Real>(
+        self,
+        task: &'a BandTask<'a, T>,
+        band: &'a mut Band<'a, 'b>,
+        scratch: &'a mut Scratch<T>,
+    ) -> Counts {
+        T::by_precision::<TraceBand<'a, 'b>>(Input { level: self.0, task, band, scratch })
+    }
+}
+
+/// Tracing a band, compiled once for each precision and level.
+struct TraceBand<'a, 'b>(PhantomData<(&'a (), &'b ())>);
+
+struct Input<'a, 'b, T: Real> {
+    level: Level,
+    task: &'a BandTask<'a, T>,
+    band: &'a mut Band<'a, 'b>,
+    scratch: &'a mut Scratch<T>,
+}
+
+impl<'a, 'b: 'a> ByPrecision for TraceBand<'a, 'b> {
+    type Input<T: Real> = Input<'a, 'b, T>;
+    type Output = Counts;
+
+    #[inline(never)]
+    fn single(input: Input<'a, 'b, f32>) -> Counts {
+        input.trace()
+    }
+
+    #[inline(never)]
+    fn double(input: Input<'a, 'b, f64>) -> Counts {
+        input.trace()
+    }
+}
+
+impl<T: Real> Input<'_, '_, T> {
+    fn trace(self) -> Counts {
+        match self.level {
+            Level::Baseline => trace_baseline(self),
+            // SAFETY: the level is made by `available` alone, where the processor has these instructions.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => unsafe { trace_avx2(self) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => unsafe { trace_avx512(self) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_avx512() -> bool {
+    is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512vl")
+        && is_x86_feature_detected!("avx512bw")
+        && is_x86_feature_detected!("avx512dq")
+}
+
+fn trace_baseline<T: Real>(input: Input<'_, '_, T>) -> Counts {
+    input.task.trace(input.band, input.scratch)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn trace_avx2<T: Real>(input: Input<'_, '_, T>) -> Counts {
+    input.task.trace(input.band, input.scratch)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
+fn trace_avx512<T: Real>(input: Input<'_, '_, T>) -> Counts {
+    input.task.trace(input.band, input.scratch)
+}

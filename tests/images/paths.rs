@@ -1,0 +1,82 @@
+//! Every path to a picture is the same path: packets with any vector instructions, and ray by ray.
+
+use archetrace::components::Snapshot;
+use archetrace::film::Film;
+use archetrace::geometry::Real;
+use archetrace::systems::{Monitor, Tables, Workers, extract_schedule, prepare, trace_picture};
+use archetrace::trace::{Counts, Exposure, SampleGrid, Simd, radiance};
+use bevy_ecs::prelude::World;
+
+use crate::support::case::Case;
+use crate::support::scenes::{full_case, random_case, textured_case};
+use crate::support::tracing::workers;
+
+/// Tables and camera of a World.
+fn extracted<T: Real>(case: &Case) -> World {
+    let mut world = case.world();
+    prepare::<T>(&mut world, workers(1));
+    extract_schedule::<T>().run(&mut world);
+    world
+}
+
+fn by_packets<T: Real>(exposure: &Exposure<'_, T>, workers: &Workers) -> (Film, Counts) {
+    let mut film = Film::new(exposure.camera.pixels()).unwrap();
+    let counts = trace_picture(exposure, &mut film, workers, &Monitor::default());
+    (film, counts)
+}
+
+/// One ray after the other, by the scalar kernels, every object tested.
+fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>) -> (Vec<[f64; 3]>, Counts) {
+    let mut counts = Counts::default();
+    let pixels = exposure.camera.pixels();
+    let picture = (0..pixels * pixels).map(|index| {
+        if exposure.level == 0 {
+            return [0.0; 3];
+        }
+        counts.rays.primary += 1;
+        let start = exposure.camera.ray(index % pixels, index / pixels);
+        let color = radiance(exposure.tables, start.ray, start.reach, exposure.level, &mut counts);
+        color.to_f64().map(|channel| channel.clamp(0.0, 1.0))
+    });
+    (picture.collect(), counts)
+}
+
+pub(crate) fn check<T: Real>(name: &str, case: &Case) {
+    let world = extracted::<T>(case);
+    let tables = world.resource::<Tables<T>>();
+    let camera = tables.camera.as_ref().unwrap();
+    let level = world.resource::<Snapshot>().level;
+    let exposure = Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER };
+    let (truth, rays) = ray_by_ray(&exposure);
+    for simd in Simd::available() {
+        for (threads, tile) in [(1, 32), (2, 7)] {
+            let workers = workers(threads).with_simd(simd).with_tile_size(tile);
+            let (film, counts) = by_packets(&exposure, &workers);
+            let unequal = film.pixels().iter().zip(&truth).filter(|(a, b)| bits(**a) != bits(**b)).count();
+            assert_eq!(unequal, 0, "{name}, {}, {simd:?}, tiles of {tile}: pixels differ", T::NAME);
+            assert_eq!(counts, rays, "{name}, {}, {simd:?}, tiles of {tile}", T::NAME);
+        }
+    }
+}
+
+fn bits(pixel: [f64; 3]) -> [u64; 3] {
+    pixel.map(f64::to_bits)
+}
+
+#[test]
+fn random_scenes_are_the_same_to_the_bit_on_every_path() {
+    for seed in 1..=120 {
+        // Odd sizes leave blocks at the edges that are not full.
+        let case = random_case(0x5_0000 + seed, 61);
+        check::<f64>(&format!("random scene {seed}"), &case);
+        check::<f32>(&format!("random scene {seed}"), &case);
+    }
+}
+
+#[test]
+fn the_full_scene_is_the_same_to_the_bit_on_every_path() {
+    for case in [full_case(), textured_case()] {
+        check::<f64>("full scene", &case);
+        check::<f32>("full scene", &case);
+    }
+}
