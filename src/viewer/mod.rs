@@ -5,7 +5,7 @@
 //!                             (no window in it)               └─→ DrawList ─→ preview ────────────────────┴─→ window
 //! ```
 //!
-//! Types of the window's crates end early: those of winit in [`keys`] and the event loop, GL contexts in `context`
+//! Types of the window's crates end early: those of winit in `keys` and the event loop, GL contexts in `context`
 //! and [`headless`], egui in the panel. This room and the command line are the only ones with a clock.
 
 mod app;
