@@ -55,11 +55,13 @@ impl<'a> Lexer<'a> {
     }
 
     fn skip_word(&mut self) {
-        while let Some((c, is_blank)) = self.character() {
-            if is_blank || c == '#' {
-                return;
+        loop {
+            let rest = &self.text.as_bytes()[self.at..];
+            self.at += rest.iter().take_while(|byte| matches!(byte, b'!'..=b'~') && **byte != b'#').count();
+            match self.character() {
+                Some((c, false)) if c != '#' => self.at += c.len_utf8(),
+                _ => return,
             }
-            self.at += c.len_utf8();
         }
     }
 }

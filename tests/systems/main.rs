@@ -12,6 +12,7 @@
 mod control_camera;
 mod describe;
 mod edits;
+mod effect_columns;
 mod extraction;
 mod frames;
 mod problems;
