@@ -55,7 +55,7 @@ pub use frame::{Frame, FrameError, Tables};
 #[cfg(feature = "viewer")]
 pub use list_draws::Drawn;
 pub use problem::WorldProblem;
-pub use survey_effects::Survey;
+pub use survey_effects::{Survey, carriers_of, take_away};
 pub use trace::{trace_pass, trace_picture};
 pub use workers::{Monitor, Workers, WorkersError};
 
