@@ -10,14 +10,14 @@ use glam::DVec3;
 
 use crate::components::range::{COEFFICIENT, COLOR, SHININESS};
 use crate::components::{Ambient, Color, Diffuse, Gloss, Mirror, Order, Position, Textured};
-use crate::effects::Rgb;
+use crate::effects::{Effect, Rgb};
 use crate::geometry::Real;
 use crate::trace::{GlossRow, ShapeColumns, ShapeTable, SurfaceRow};
 
-use super::Tables;
 use super::changes::{Census, ObjectChange, ObjectGain};
 use super::problem::{Checks, WorldProblem};
 use super::shape_tables::{ExtractShape, Shape};
+use super::{Muted, Tables};
 
 /// An object and everything that tells it apart.
 pub(super) type ObjectData<S> = (
@@ -46,19 +46,20 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     objects: Objects<S>,
     incomplete: Query<Entity, (With<S>, Lacking)>,
     mut edits: Edits<S>,
+    muted: Res<Muted>,
     mut tables: ResMut<Tables<T>>,
 ) {
     tables.revision += 1;
     let same_components = !edits.census.differs();
-    if !(same_components && replace_rows(&edits, &mut tables)) {
-        rebuild(&objects, &incomplete, &mut tables);
+    if !(same_components && replace_rows(&edits, *muted, &mut tables)) {
+        rebuild(&objects, &incomplete, *muted, &mut tables);
     }
 }
 
 /// Writes changed objects over their rows. `false`, and a table to be rebuilt, if that is not all there is to do.
 ///
 /// Nothing came to a changed object, and numbers of components are the same: so nothing went from any other.
-fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, tables: &mut Tables<T>) -> bool {
+fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, muted: Muted, tables: &mut Tables<T>) -> bool {
     let Some(entities) = tables.entities.get(&S::Columns::KIND) else { return false };
     if tables.problems.get(S::NAME).is_none_or(|problems| !problems.is_empty()) {
         return false;
@@ -69,7 +70,7 @@ fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, tables: &mut Tabl
         return false;
     }
     let mut replaced = Vec::new();
-    for object in edits.changed.iter().map(ObjectRow::<S>::from_data) {
+    for object in edits.changed.iter().map(ObjectRow::<S>::from_data).map(|row| row.without(muted)) {
         if edits.gained.contains(object.entity) || replaced.len() > entities.len() / 8 {
             return false;
         }
@@ -104,9 +105,10 @@ fn row_of<S>(object: &ObjectRow<S>, order: &[u32], entities: &[Entity]) -> Optio
 fn rebuild<T: Real, S: ExtractShape<T>>(
     objects: &Objects<S>,
     incomplete: &Query<Entity, (With<S>, Lacking)>,
+    muted: Muted,
     tables: &mut Tables<T>,
 ) {
-    let mut rows = gather(objects);
+    let mut rows: Vec<_> = gather(objects).into_iter().map(|row| row.without(muted)).collect();
     rows.sort_by(ObjectRow::compare);
 
     let mut checks = Checks::default();
@@ -178,6 +180,16 @@ impl<S: Shape> ObjectRow<S> {
             gloss: gloss.copied(),
             mirror: mirror.copied(),
             textured: textured.cloned(),
+        }
+    }
+
+    /// The same without effects that are switched off.
+    fn without(self, muted: Muted) -> Self {
+        Self {
+            gloss: muted.hear(Effect::Gloss, self.gloss),
+            mirror: muted.hear(Effect::Mirror, self.mirror),
+            textured: muted.hear(Effect::Texture, self.textured),
+            ..self
         }
     }
 

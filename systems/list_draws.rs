@@ -2,7 +2,9 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Checkerboard, Cube, Light, Order, Position, Pyramid, Sphere, SpotCone, Textured};
+use crate::components::{
+    Checkerboard, Cube, Directional, Light, Order, Position, Pyramid, Sphere, SpotCone, Textured,
+};
 use crate::preview::{DrawList, Placed};
 
 use super::extract_objects::{ObjectRow, Objects, gather};
@@ -25,8 +27,13 @@ pub(super) fn list_objects<S: ListShape>(objects: Objects<S>, mut drawn: ResMut<
     S::list(rows, &mut drawn.0);
 }
 
-type Lights<'w, 's> =
-    Query<'w, 's, (&'static Position, Option<&'static SpotCone>, Option<&'static Order>), With<Light>>;
+/// Lights that are somewhere.
+type Lights<'w, 's> = Query<
+    'w,
+    's,
+    (&'static Position, Option<&'static SpotCone>, Option<&'static Order>),
+    (With<Light>, Without<Directional>),
+>;
 
 /// Replaces the lights.
 pub(super) fn list_lights(lights: Lights, mut drawn: ResMut<Drawn>) {

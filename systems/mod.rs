@@ -28,6 +28,7 @@ mod extract_objects;
 mod frame;
 #[cfg(feature = "viewer")]
 mod list_draws;
+mod muted;
 mod problem;
 mod shape_tables;
 mod survey_effects;
@@ -54,6 +55,7 @@ use trace::trace;
 pub use frame::{Frame, FrameError, Tables};
 #[cfg(feature = "viewer")]
 pub use list_draws::Drawn;
+pub use muted::Muted;
 pub use problem::WorldProblem;
 pub use survey_effects::{Survey, carriers_of, take_away};
 pub use trace::{trace_pass, trace_picture};
@@ -83,6 +85,7 @@ pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
     world.init_resource::<Sampling>();
     world.init_resource::<Monitor>();
     world.init_resource::<Survey>();
+    world.init_resource::<Muted>();
     world.init_resource::<Frame>();
     world.init_resource::<Tables<T>>();
     #[cfg(feature = "viewer")]

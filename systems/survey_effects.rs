@@ -5,8 +5,13 @@ use bevy_ecs::component::Components;
 use bevy_ecs::entity_disabling::Disabled;
 use bevy_ecs::prelude::*;
 
-use crate::components::{Falloff, Gloss, Mirror, SpotCone, Textured};
+use crate::components::{
+    Aperture, AreaLight, Directional, ExposureStops, Falloff, Gloss, LightColor, Mirror, SpotCone,
+    SrgbTransfer, Textured,
+};
 use crate::effects::{Effect, EffectSet};
+
+use super::Muted;
 
 /// Which component stands for which effect.
 const CARRIERS: [Carrier; Effect::ALL.len()] = [
@@ -15,18 +20,26 @@ const CARRIERS: [Carrier; Effect::ALL.len()] = [
     Carrier::of::<Textured>(Effect::Texture),
     Carrier::of::<Falloff>(Effect::Falloff),
     Carrier::of::<SpotCone>(Effect::SpotCone),
+    Carrier::of::<LightColor>(Effect::LightColor),
+    Carrier::of::<Directional>(Effect::Directional),
+    Carrier::of::<AreaLight>(Effect::AreaLight),
+    Carrier::of::<Aperture>(Effect::Aperture),
+    Carrier::of::<ExposureStops>(Effect::Exposure),
+    Carrier::of::<SrgbTransfer>(Effect::Srgb),
 ];
 
 /// How many living entities carry each effect, whatever its value.
 #[derive(Resource, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Survey {
     entities: Vec<(Effect, usize)>,
+    muted: EffectSet,
 }
 
 impl Survey {
-    /// The effects that some entity carries.
+    /// The effects that some entity carries, but for those that are switched off.
     pub fn asked(&self) -> EffectSet {
-        self.entities.iter().filter(|(_, entities)| *entities > 0).map(|&(effect, _)| effect).collect()
+        let carried = self.entities.iter().filter(|(_, entities)| *entities > 0).map(|&(effect, _)| effect);
+        carried.filter(|&effect| !self.muted.contains(effect)).collect()
     }
 
     /// How many entities carry an effect.
@@ -36,9 +49,14 @@ impl Survey {
 }
 
 /// Counts the carriers of every effect: one step an archetype, none an entity.
-pub(super) fn survey_effects(archetypes: &Archetypes, components: &Components, mut survey: ResMut<Survey>) {
+pub(super) fn survey_effects(
+    archetypes: &Archetypes,
+    components: &Components,
+    muted: Res<Muted>,
+    mut survey: ResMut<Survey>,
+) {
     let found = CARRIERS.map(|carrier| (carrier.effect, (carrier.count)(archetypes, components)));
-    survey.set_if_neq(Survey { entities: found.to_vec() });
+    survey.set_if_neq(Survey { entities: found.to_vec(), muted: muted.0 });
 }
 
 /// The entities that carry an effect.

@@ -66,6 +66,7 @@ pub fn trace_pass<T: Real>(
     workers: &Workers,
     monitor: &Monitor,
 ) -> Counts {
+    film.set_transfer(exposure.camera.effects().transfer);
     let mut tiles = film.tiles_mut(workers.tile_size);
     workers.pool.install(|| {
         let each = tiles.par_iter_mut().map(|tile| {

@@ -64,7 +64,7 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/effects",
-        crates: &[("glam", All), ("libm", Only(&["spot_cone.rs"]))],
+        crates: &[("glam", All), ("libm", Only(&["disk.rs", "spot_cone.rs", "srgb.rs", "mip_chain.rs"]))],
         rooms: &["geometry"],
         may: &[],
     },
@@ -82,11 +82,11 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/trace",
-        crates: &[("libm", Only(&["camera.rs"]))],
+        crates: &[("libm", Only(&["camera.rs", "camera_effects.rs"]))],
         rooms: &["components", "effects", "geometry", "film"],
         may: &[],
     },
-    Room { place: "src/film.rs", crates: &[], rooms: &[], may: &[] },
+    Room { place: "src/film.rs", crates: &[], rooms: &["effects"], may: &[] },
     Room {
         place: "src/image_file.rs",
         crates: &[("image", All), ("thiserror", All)],

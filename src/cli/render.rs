@@ -79,8 +79,8 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     }
     if let Some(path) = &args.stats {
         let threads = world.resource::<Workers>().threads();
-        let scene = &world.resource::<Tables<T>>().scene;
-        let stats = Stats::new((snapshot, args.samples), threads, phases, counts, scene);
+        let tables = world.resource::<Tables<T>>();
+        let stats = Stats::new((snapshot, args.samples), threads, phases, counts, tables);
         write_whole(path, &stats.to_json()?)?;
     }
     Ok(())

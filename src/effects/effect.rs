@@ -13,11 +13,35 @@ pub enum Effect {
     Falloff,
     /// Spotlights.
     SpotCone,
+    /// Lights of another colour than white.
+    LightColor,
+    /// Parallel light.
+    Directional,
+    /// Lights with an extent, and soft shadows.
+    AreaLight,
+    /// A camera with a lens of some width.
+    Aperture,
+    /// A camera for which light counts more or less.
+    Exposure,
+    /// Pictures by the curve of sRGB.
+    Srgb,
 }
 
 impl Effect {
     /// Every effect, in the order of reports.
-    pub const ALL: [Self; 5] = [Self::Gloss, Self::Mirror, Self::Texture, Self::Falloff, Self::SpotCone];
+    pub const ALL: [Self; 11] = [
+        Self::Gloss,
+        Self::Mirror,
+        Self::Texture,
+        Self::Falloff,
+        Self::SpotCone,
+        Self::LightColor,
+        Self::Directional,
+        Self::AreaLight,
+        Self::Aperture,
+        Self::Exposure,
+        Self::Srgb,
+    ];
 
     /// Name in reports and on the command line.
     pub const fn name(self) -> &'static str {
@@ -27,6 +51,12 @@ impl Effect {
             Self::Texture => "texture",
             Self::Falloff => "falloff",
             Self::SpotCone => "spot_cone",
+            Self::LightColor => "light_color",
+            Self::Directional => "directional",
+            Self::AreaLight => "area_light",
+            Self::Aperture => "aperture",
+            Self::Exposure => "exposure",
+            Self::Srgb => "srgb",
         }
     }
 }

@@ -54,6 +54,11 @@ impl<T: Real> SceneTables<T> {
             Effect::Texture => self.boards.shapes.textures.size(),
             Effect::Falloff => self.lights.falloff.size(),
             Effect::SpotCone => self.lights.cone.size(),
+            Effect::LightColor => self.lights.color.size(),
+            Effect::Directional => self.lights.toward.size(),
+            Effect::AreaLight => self.lights.ball.size(),
+            // The camera's, see `CameraEffects::count`.
+            Effect::Aperture | Effect::Exposure | Effect::Srgb => (0, 0),
         };
         EffectCount { effect, rows, bytes }
     }

@@ -23,14 +23,16 @@ impl Kernel {
     /// The effects that it is compiled for.
     pub const fn effects(self) -> EffectSet {
         match self {
-            Self::Plain => EffectSet::NONE,
-            Self::Polished => EffectSet::of(&[Effect::Gloss, Effect::Mirror]),
+            // The curve of sRGB is no work of a kernel.
+            Self::Plain => EffectSet::of(&[Effect::Srgb]),
+            Self::Polished => EffectSet::of(&[Effect::Gloss, Effect::Mirror, Effect::Srgb]),
             Self::Assignment => EffectSet::of(&[
                 Effect::Gloss,
                 Effect::Mirror,
                 Effect::Texture,
                 Effect::Falloff,
                 Effect::SpotCone,
+                Effect::Srgb,
             ]),
             Self::Everything => EffectSet::ALL,
         }

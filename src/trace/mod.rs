@@ -5,6 +5,7 @@
 //! the picture is the same for every tiling and number of threads.
 
 mod camera;
+mod camera_effects;
 mod census;
 mod closest;
 mod counts;
@@ -26,6 +27,7 @@ mod tile;
 mod tree;
 
 pub use camera::{CameraRay, CameraRays};
+pub use camera_effects::CameraEffects;
 pub use census::{EffectCount, TableCount};
 pub use closest::closest_hit;
 pub use counts::{Counts, RayCounts};
@@ -36,7 +38,7 @@ pub use light_table::{LightRow, LightTable};
 pub use occlusion::is_occluded;
 pub use radiance::radiance;
 pub use samples::{SampleGrid, SamplePoint};
-pub use sequence::{SampleId, Sequence};
+pub use sequence::{Purpose, SampleId, Sequence};
 pub use shape_columns::{
     BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };
