@@ -1,10 +1,11 @@
-//! Every path to a picture is the same path: packets with any vector instructions, and ray by ray.
+//! Every path to a picture is the same path: packets with any vector instructions, and ray by ray, through trees and
+//! row after row.
 
 use archetrace::components::Snapshot;
 use archetrace::film::Film;
 use archetrace::geometry::Real;
 use archetrace::systems::{Monitor, Tables, Workers, extract_schedule, prepare, trace_picture};
-use archetrace::trace::{Counts, Exposure, SampleGrid, Simd, radiance};
+use archetrace::trace::{Counts, Exposure, SampleGrid, SceneTables, Simd, Trees, radiance};
 use bevy_ecs::prelude::World;
 
 use crate::support::case::Case;
@@ -25,7 +26,12 @@ fn by_packets<T: Real>(exposure: &Exposure<'_, T>, workers: &Workers) -> (Film, 
     (film, counts)
 }
 
-/// One ray after the other, by the scalar kernels, every object tested.
+/// The same tables without trees.
+fn without_trees<T: Real>(tables: &SceneTables<T>) -> SceneTables<T> {
+    SceneTables { trees: Trees::default(), ..tables.clone() }
+}
+
+/// One ray after the other, by the scalar kernels; every object is tested where the tables have no trees.
 fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>) -> (Vec<[f64; 3]>, Counts) {
     let mut counts = Counts::default();
     let pixels = exposure.camera.pixels();
@@ -47,20 +53,27 @@ pub(crate) fn check<T: Real>(name: &str, case: &Case) {
     let camera = tables.camera.as_ref().unwrap();
     let level = world.resource::<Snapshot>().level;
     let exposure = Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER };
-    let (truth, rays) = ray_by_ray(&exposure);
+    let plain = without_trees(&tables.scene);
+    let (truth, rays) = ray_by_ray(&Exposure { tables: &plain, ..exposure });
+    if !tables.scene.trees.is_empty() {
+        let (pixels, counts) = ray_by_ray(&exposure);
+        assert_eq!(unequal(&pixels, &truth), 0, "{name}, {}, ray by ray through trees", T::NAME);
+        assert_eq!(counts, rays, "{name}, {}, ray by ray through trees", T::NAME);
+    }
     for simd in Simd::available() {
         for (threads, tile) in [(1, 32), (2, 7)] {
             let workers = workers(threads).with_simd(simd).with_tile_size(tile);
             let (film, counts) = by_packets(&exposure, &workers);
-            let unequal = film.pixels().iter().zip(&truth).filter(|(a, b)| bits(**a) != bits(**b)).count();
+            let unequal = unequal(film.pixels(), &truth);
             assert_eq!(unequal, 0, "{name}, {}, {simd:?}, tiles of {tile}: pixels differ", T::NAME);
             assert_eq!(counts, rays, "{name}, {}, {simd:?}, tiles of {tile}", T::NAME);
         }
     }
 }
 
-fn bits(pixel: [f64; 3]) -> [u64; 3] {
-    pixel.map(f64::to_bits)
+fn unequal(pixels: &[[f64; 3]], truth: &[[f64; 3]]) -> usize {
+    let bits = |pixel: &[f64; 3]| pixel.map(f64::to_bits);
+    pixels.iter().zip(truth).filter(|(a, b)| bits(a) != bits(b)).count()
 }
 
 #[test]
