@@ -7,6 +7,7 @@ use bevy_ecs::prelude::*;
 use thiserror::Error;
 
 use crate::components::range::MAX_PIXELS;
+use crate::effects::EffectSet;
 use crate::film::Film;
 use crate::geometry::Real;
 use crate::trace::{CameraRays, Counts, Kind, ObjectId, SceneTables};
@@ -38,6 +39,11 @@ impl<T: Real> Tables<T> {
     /// The entity that a row was extracted from.
     pub fn entity(&self, object: ObjectId) -> Option<Entity> {
         self.entities.get(&object.kind)?.get(object.row as usize).copied()
+    }
+
+    /// The effects that some row asks for.
+    pub fn effects(&self) -> EffectSet {
+        self.scene.effects()
     }
 
     /// Everything that is wrong with the World, as of the last extraction.

@@ -72,6 +72,9 @@ pub(super) struct RenderArgs {
     /// Threads that trace [default: one per processor]
     #[arg(long, value_name = "N", value_parser = thread_count())]
     pub(super) threads: Option<NonZeroUsize>,
+    /// Trace with the kernel that has every effect, whatever the scene asks for: the same picture, only slower
+    #[arg(long)]
+    pub(super) all_effects: bool,
     /// Write what was measured and counted
     #[arg(long, value_name = "FILE.json")]
     pub(super) stats: Option<PathBuf>,

@@ -65,6 +65,6 @@ fn objects(scene: &SceneTables<f64>) -> String {
 fn effects(scene: &SceneTables<f64>) -> String {
     let counts = scene.effect_counts();
     let used = counts.iter().filter(|count| count.rows > 0);
-    let named: Vec<String> = used.map(|count| format!("{} ({})", count.effect, count.rows)).collect();
+    let named: Vec<String> = used.map(|count| format!("{} ({})", count.effect.name(), count.rows)).collect();
     if named.is_empty() { "none".to_owned() } else { named.join(", ") }
 }

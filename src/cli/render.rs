@@ -13,6 +13,7 @@ use crate::image_file::encode;
 use crate::systems::{
     Frame, FrameError, Monitor, Tables, Workers, build_schedule, prepare, tables_schedule, trace_schedule,
 };
+use crate::trace::Kernel;
 use crate::whole_file::{check_writable, write_whole};
 
 use super::args::{Precision, RenderArgs};
@@ -20,6 +21,11 @@ use super::load::{aim, lay_texture, load_world};
 use super::stats::{Phases, Stats, Stopwatch};
 use super::stop::stop_flag;
 use super::{CliError, say};
+
+fn workers(args: &RenderArgs) -> Result<Workers, CliError> {
+    let least = if args.all_effects { Kernel::Everything } else { Kernel::Plain };
+    Ok(Workers::new(args.threads)?.with_least_kernel(least))
+}
 
 /// Traces a scene file to a picture file.
 pub(super) fn render(args: &RenderArgs) -> Result<(), CliError> {
@@ -44,7 +50,7 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     let snapshot = apply(args, &mut world)?;
     phases.load = clock.lap();
 
-    prepare::<T>(&mut world, Workers::new(args.threads)?);
+    prepare::<T>(&mut world, workers(args)?);
     tables_schedule::<T>().run(&mut world);
     phases.extract = clock.lap();
     build_schedule::<T>().run(&mut world);

@@ -71,8 +71,11 @@ impl Stats {
                 shadow: counts.rays.shadow,
                 mirror: counts.rays.mirror,
             },
-            rows: tables.into_iter().chain(effects.map(|count| (count.effect, count.rows))).collect(),
-            effects: effects.iter().filter(|count| count.rows > 0).map(|count| count.effect).collect(),
+            rows: tables
+                .into_iter()
+                .chain(effects.iter().map(|count| (count.effect.name(), count.rows)))
+                .collect(),
+            effects: effects.iter().filter(|count| count.rows > 0).map(|count| count.effect.name()).collect(),
             non_finite: counts.non_finite,
         }
     }

@@ -5,6 +5,7 @@
 
 mod checker;
 mod diffuse;
+mod effect;
 mod falloff;
 mod gloss;
 mod mirror;
@@ -14,6 +15,7 @@ mod texture;
 
 pub use checker::{CellPoint, cell_point};
 pub use diffuse::lambert;
+pub use effect::{Effect, EffectSet};
 pub use falloff::attenuation;
 pub use gloss::phong;
 pub use mirror::{reflect, reflect_long};

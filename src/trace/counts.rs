@@ -22,6 +22,19 @@ pub struct Counts {
     pub non_finite: u64,
 }
 
+impl Counts {
+    /// A sample's radiance clamped to 0..=1; black where it is not finite, which is counted.
+    #[inline(always)]
+    pub(super) fn clamp(&mut self, color: [f64; 3]) -> [f64; 3] {
+        if color.iter().all(|channel| channel.is_finite()) {
+            color.map(|channel| channel.clamp(0.0, 1.0))
+        } else {
+            self.non_finite += 1;
+            [0.0; 3]
+        }
+    }
+}
+
 impl AddAssign for Counts {
     fn add_assign(&mut self, other: Self) {
         self.rays.primary += other.rays.primary;

@@ -10,11 +10,13 @@ mod closest;
 mod counts;
 mod effect_column;
 mod hit;
+mod kernel;
 mod light_table;
 mod occlusion;
 mod packet;
 mod radiance;
 mod samples;
+mod sequence;
 mod shade;
 mod shape_columns;
 mod simd;
@@ -29,10 +31,12 @@ pub use closest::closest_hit;
 pub use counts::{Counts, RayCounts};
 pub use effect_column::EffectColumn;
 pub use hit::{Departure, Hit, Kind, ObjectId};
+pub use kernel::Kernel;
 pub use light_table::{LightRow, LightTable};
 pub use occlusion::is_occluded;
 pub use radiance::radiance;
 pub use samples::{SampleGrid, SamplePoint};
+pub use sequence::{SampleId, Sequence};
 pub use shape_columns::{
     BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };

@@ -4,7 +4,7 @@ use crate::effects::{Rgb, reflect};
 use crate::geometry::{Convex, Ray, Real, SurfacePoint};
 
 use super::shade::{Shaded, own_color, shade_local};
-use super::{Counts, Departure, Hit, Kind, SceneTables, ShapeColumns, closest_hit};
+use super::{Counts, Departure, Hit, Kind, SampleId, SceneTables, ShapeColumns, closest_hit};
 
 /// The radiance that arrives along a ray (unit direction) from surfaces up to `reach`, followed through mirrors for
 /// at most `level` rays in all (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
@@ -18,6 +18,7 @@ pub fn radiance<T: Real>(
     ray: Ray<T>,
     reach: T,
     level: u32,
+    _sample: SampleId,
     counts: &mut Counts,
 ) -> Rgb<T> {
     let mut sum = Rgb::BLACK;

@@ -60,6 +60,6 @@ impl Session {
 }
 
 fn with_tables<T: Real>(status: Status, tables: &SceneTables<T>) -> Status {
-    let effects = tables.effect_counts().into_iter().collect();
+    let effects = tables.effect_counts();
     Status { effects, tables: tables.table_counts().into_iter().collect(), ..status }
 }

@@ -7,7 +7,7 @@ use crate::components::{CameraPose, Lens};
 use crate::film::Film;
 use crate::geometry::Real;
 use crate::systems::{Monitor, Workers, trace_pass, trace_picture};
-use crate::trace::{CameraRays, Counts, Exposure, SampleGrid, SceneTables};
+use crate::trace::{CameraRays, Counts, Exposure, Kernel, SampleGrid, SceneTables};
 
 /// Tables of either precision, shared with the World that they were extracted from.
 #[derive(Clone, Debug)]
@@ -48,12 +48,20 @@ impl TracedView {
     ) -> Counts {
         let pixels = film.side();
         match &self.tables {
-            SharedTables::F64(tables) => {
-                trace_pass(&self.exposure(tables, &self.rays(pixels), grid), pass, film, workers, monitor)
-            }
-            SharedTables::F32(tables) => {
-                trace_pass(&self.exposure(tables, &self.rays(pixels), grid), pass, film, workers, monitor)
-            }
+            SharedTables::F64(tables) => trace_pass(
+                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                pass,
+                film,
+                workers,
+                monitor,
+            ),
+            SharedTables::F32(tables) => trace_pass(
+                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                pass,
+                film,
+                workers,
+                monitor,
+            ),
         }
     }
 
@@ -67,12 +75,18 @@ impl TracedView {
     ) -> Counts {
         let pixels = film.side();
         match &self.tables {
-            SharedTables::F64(tables) => {
-                trace_picture(&self.exposure(tables, &self.rays(pixels), grid), film, workers, monitor)
-            }
-            SharedTables::F32(tables) => {
-                trace_picture(&self.exposure(tables, &self.rays(pixels), grid), film, workers, monitor)
-            }
+            SharedTables::F64(tables) => trace_picture(
+                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                film,
+                workers,
+                monitor,
+            ),
+            SharedTables::F32(tables) => trace_picture(
+                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                film,
+                workers,
+                monitor,
+            ),
         }
     }
 
@@ -85,7 +99,8 @@ impl TracedView {
         tables: &'a SceneTables<T>,
         camera: &'a CameraRays<T>,
         grid: SampleGrid,
+        kernel: Kernel,
     ) -> Exposure<'a, T> {
-        Exposure { tables, camera, level: self.level, grid }
+        Exposure { tables, camera, level: self.level, grid, kernel }
     }
 }

@@ -1,11 +1,10 @@
-//! Every path to a picture is the same path: packets with any vector instructions, and ray by ray, through trees and
-//! row after row.
+//! Every path to a picture is the same path: packets with any vector instructions, and ray by ray.
 
 use archetrace::components::Snapshot;
 use archetrace::film::Film;
 use archetrace::geometry::Real;
 use archetrace::systems::{Monitor, Tables, Workers, extract_schedule, prepare, trace_picture};
-use archetrace::trace::{Counts, Exposure, SampleGrid, SceneTables, Simd, Trees, radiance};
+use archetrace::trace::{Counts, Exposure, Kernel, SampleGrid, SampleId, SceneTables, Simd, Trees, radiance};
 use bevy_ecs::prelude::World;
 
 use crate::support::case::Case;
@@ -20,18 +19,13 @@ fn extracted<T: Real>(case: &Case) -> World {
     world
 }
 
-fn by_packets<T: Real>(exposure: &Exposure<'_, T>, workers: &Workers) -> (Film, Counts) {
+fn by_kernel<T: Real>(exposure: &Exposure<'_, T>, workers: &Workers) -> (Film, Counts) {
     let mut film = Film::new(exposure.camera.pixels()).unwrap();
     let counts = trace_picture(exposure, &mut film, workers, &Monitor::default());
     (film, counts)
 }
 
-/// The same tables without trees.
-fn without_trees<T: Real>(tables: &SceneTables<T>) -> SceneTables<T> {
-    SceneTables { trees: Trees::default(), ..tables.clone() }
-}
-
-/// One ray after the other, by the scalar kernels; every object is tested where the tables have no trees.
+/// One ray after the other, by the scalar kernels, every object tested.
 fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>) -> (Vec<[f64; 3]>, Counts) {
     let mut counts = Counts::default();
     let pixels = exposure.camera.pixels();
@@ -40,8 +34,10 @@ fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>) -> (Vec<[f64; 3]>, Counts) {
             return [0.0; 3];
         }
         counts.rays.primary += 1;
-        let start = exposure.camera.ray(index % pixels, index / pixels);
-        let color = radiance(exposure.tables, start.ray, start.reach, exposure.level, &mut counts);
+        let (column, row) = (index % pixels, index / pixels);
+        let start = exposure.camera.ray(column, row);
+        let sample = SampleId { column, row, index: 0 };
+        let color = radiance(exposure.tables, start.ray, start.reach, exposure.level, sample, &mut counts);
         color.to_f64().map(|channel| channel.clamp(0.0, 1.0))
     });
     (picture.collect(), counts)
@@ -52,28 +48,31 @@ pub(crate) fn check<T: Real>(name: &str, case: &Case) {
     let tables = world.resource::<Tables<T>>();
     let camera = tables.camera.as_ref().unwrap();
     let level = world.resource::<Snapshot>().level;
-    let exposure = Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER };
-    let plain = without_trees(&tables.scene);
-    let (truth, rays) = ray_by_ray(&Exposure { tables: &plain, ..exposure });
-    if !tables.scene.trees.is_empty() {
-        let (pixels, counts) = ray_by_ray(&exposure);
-        assert_eq!(unequal(&pixels, &truth), 0, "{name}, {}, ray by ray through trees", T::NAME);
-        assert_eq!(counts, rays, "{name}, {}, ray by ray through trees", T::NAME);
-    }
-    for simd in Simd::available() {
+    let smallest = Kernel::smallest_for(tables.effects());
+    let with = |kernel| Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER, kernel };
+    let treeless = SceneTables { trees: Trees::default(), ..(*tables.scene).clone() };
+    let (truth, rays) = ray_by_ray(&Exposure { tables: &treeless, ..with(smallest) });
+    for (simd, kernel) in paths().filter(|&(_, kernel)| kernel >= smallest) {
         for (threads, tile) in [(1, 32), (2, 7)] {
             let workers = workers(threads).with_simd(simd).with_tile_size(tile);
-            let (film, counts) = by_packets(&exposure, &workers);
-            let unequal = unequal(film.pixels(), &truth);
-            assert_eq!(unequal, 0, "{name}, {}, {simd:?}, tiles of {tile}: pixels differ", T::NAME);
-            assert_eq!(counts, rays, "{name}, {}, {simd:?}, tiles of {tile}", T::NAME);
+            let (film, counts) = by_kernel(&with(kernel), &workers);
+            let unequal = film.pixels().iter().zip(&truth).filter(|(a, b)| bits(**a) != bits(**b)).count();
+            let path = format!("{name}, {}, {simd:?}, {kernel:?}, tiles of {tile}", T::NAME);
+            assert_eq!(unequal, 0, "{path}: pixels differ");
+            assert_eq!(counts, rays, "{path}");
         }
     }
 }
 
-fn unequal(pixels: &[[f64; 3]], truth: &[[f64; 3]]) -> usize {
-    let bits = |pixel: &[f64; 3]| pixel.map(f64::to_bits);
-    pixels.iter().zip(truth).filter(|(a, b)| bits(a) != bits(b)).count()
+/// All vector instructions with all kernels; the last one uses none.
+fn paths() -> impl Iterator<Item = (Simd, Kernel)> {
+    let all = |simd| Kernel::ALL.map(|kernel| (simd, kernel));
+    let distinct = |&(simd, kernel): &(Simd, Kernel)| kernel != Kernel::Everything || simd == Simd::detect();
+    Simd::available().into_iter().flat_map(all).filter(distinct)
+}
+
+fn bits(pixel: [f64; 3]) -> [u64; 3] {
+    pixel.map(f64::to_bits)
 }
 
 #[test]

@@ -38,7 +38,7 @@ pub(super) fn effects(ui: &mut Ui, panel: &Panel<'_>) {
     for count in &panel.status.effects {
         rows(
             ui,
-            count.effect,
+            count.effect.name(),
             count.rows,
             "rows that ask for it; the trace never touches an effect without any",
         );
