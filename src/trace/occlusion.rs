@@ -3,26 +3,68 @@
 use crate::geometry::{Ray, Real};
 
 use super::closest::cross_row;
+use super::tree::{Any, NO_ROW, Packed, Stack, Tree, TreeRay};
 use super::{Departure, SceneTables, ShapeColumns, ShapeTable};
 
 /// Whether a surface lies strictly between the two ends of a segment, `0 < t < 1` along `segment`. The segment's
-/// far end lies exactly at 1, so that what touches a light does not hide it.
+/// far end lies exactly at 1, so that what touches a light does not hide it. Tables that have a tree are searched
+/// through it.
 #[inline(always)]
 pub fn is_occluded<T: Real>(tables: &SceneTables<T>, segment: &Ray<T>, departure: &Departure) -> bool {
-    blocks(&tables.spheres, segment, departure)
-        || blocks(&tables.cubes, segment, departure)
-        || blocks(&tables.pyramids, segment, departure)
-        || blocks(&tables.boards, segment, departure)
+    let trees = &tables.trees;
+    blocks(&tables.spheres, trees.spheres.as_deref(), segment, departure)
+        || blocks(&tables.cubes, trees.cubes.as_deref(), segment, departure)
+        || blocks(&tables.pyramids, trees.pyramids.as_deref(), segment, departure)
+        || any_row_blocks(&tables.boards, segment, departure)
 }
 
 #[inline(always)]
-fn blocks<T: Real, C: ShapeColumns<T>>(
+fn blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
+    table: &ShapeTable<T, C>,
+    tree: Option<&Tree<T, C::Shape>>,
+    segment: &Ray<T>,
+    departure: &Departure,
+) -> bool {
+    match tree {
+        Some(tree) => tree_blocks(table, tree, segment, departure),
+        None => any_row_blocks(table, segment, departure),
+    }
+}
+
+#[inline(always)]
+fn any_row_blocks<T: Real, C: ShapeColumns<T>>(
     table: &ShapeTable<T, C>,
     segment: &Ray<T>,
     departure: &Departure,
 ) -> bool {
+    (0..).take(table.order.len()).any(|row| row_blocks(table, row, segment, departure))
+}
+
+#[inline(always)]
+fn row_blocks<T: Real, C: ShapeColumns<T>>(
+    table: &ShapeTable<T, C>,
+    row: u32,
+    segment: &Ray<T>,
+    departure: &Departure,
+) -> bool {
+    cross_row(&table.shapes, row, segment, departure.rows(C::KIND))
+        .is_some_and(|crossing| crossing.t < T::ONE)
+}
+
+#[inline(never)]
+fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
+    table: &ShapeTable<T, C>,
+    tree: &Tree<T, C::Shape>,
+    segment: &Ray<T>,
+    departure: &Departure,
+) -> bool {
     let departed = departure.rows(C::KIND);
-    (0_u32..).zip(&table.order).any(|(row, _)| {
-        cross_row(&table.shapes, row, segment, departed).is_some_and(|crossing| crossing.t < T::ONE)
-    })
+    // A tree knows no exits.
+    if departed.within != NO_ROW && row_blocks(table, departed.within, segment, departure) {
+        return true;
+    }
+    let mut any = Any { row: NO_ROW };
+    let ray = TreeRay::new(*segment, tree.rounding());
+    tree.search::<false>(&ray, departed.row(), &mut any, &mut Stack::new());
+    any.row != NO_ROW
 }
