@@ -5,7 +5,7 @@ use bevy_ecs::prelude::*;
 use crate::components::{Checkerboard, Cube, Light, Order, Position, Pyramid, Sphere, SpotCone, Textured};
 use crate::preview::{DrawList, Placed};
 
-use super::extract_objects::{ObjectRow, Objects, gather};
+use super::object_rows::{ObjectRow, Objects, gather};
 use super::shape_tables::Shape;
 
 /// What the preview draws, as of the last run of [`list_schedule`](super::list_schedule).
@@ -20,9 +20,7 @@ pub(super) trait ListShape: Shape {
 
 /// Replaces the objects with shape `S`, in the order of the tables: ties go to the same object as in the trace.
 pub(super) fn list_objects<S: ListShape>(objects: Objects<S>, mut drawn: ResMut<Drawn>) {
-    let mut rows = gather(&objects);
-    rows.sort_by(ObjectRow::compare);
-    S::list(rows, &mut drawn.0);
+    S::list(gather(&objects).rows().collect(), &mut drawn.0);
 }
 
 type Lights<'w, 's> =

@@ -28,6 +28,7 @@ mod extract_objects;
 mod frame;
 #[cfg(feature = "viewer")]
 mod list_draws;
+mod object_rows;
 mod problem;
 mod shape_tables;
 mod survey_effects;
