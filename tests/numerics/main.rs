@@ -31,5 +31,6 @@ mod random;
 mod sphere;
 mod spot;
 mod straight;
+mod texel;
 mod textbook;
 mod worst;
