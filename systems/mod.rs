@@ -29,6 +29,7 @@ mod frame;
 #[cfg(feature = "viewer")]
 mod list_draws;
 mod muted;
+mod object_rows;
 mod problem;
 mod shape_tables;
 mod survey_effects;

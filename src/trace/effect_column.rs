@@ -47,6 +47,12 @@ impl<R> EffectColumn<R> {
         true
     }
 
+    /// Gives back memory that no row takes.
+    pub fn shrink_to_fit(&mut self) {
+        self.slots.shrink_to_fit();
+        self.rows.shrink_to_fit();
+    }
+
     /// Number of rows that have the effect.
     pub fn len(&self) -> usize {
         self.rows.len()

@@ -22,6 +22,8 @@ pub trait ShapeColumns<T: Real>: Default {
     }
     /// The shape of a row below [`len`](Self::len).
     fn shape(&self, row: usize) -> Self::Shape;
+    /// Gives back memory that no row takes.
+    fn shrink_to_fit(&mut self);
 }
 
 /// A column of vectors.
@@ -47,6 +49,12 @@ impl<T: Real> VectorColumns<T> {
 
     pub(super) fn len(&self) -> usize {
         self.x.len()
+    }
+
+    fn shrink_to_fit(&mut self) {
+        self.x.shrink_to_fit();
+        self.y.shrink_to_fit();
+        self.z.shrink_to_fit();
     }
 
     #[inline(always)]
@@ -88,6 +96,11 @@ impl<T: Real> ShapeColumns<T> for SphereColumns<T> {
     fn shape(&self, row: usize) -> SphereShape<T> {
         SphereShape { center: self.center.get(row), radius: self.radius[row] }
     }
+
+    fn shrink_to_fit(&mut self) {
+        self.center.shrink_to_fit();
+        self.radius.shrink_to_fit();
+    }
 }
 
 /// Opposite corners of cubes.
@@ -122,6 +135,11 @@ impl<T: Real> ShapeColumns<T> for CubeColumns<T> {
     #[inline(always)]
     fn shape(&self, row: usize) -> CubeShape<T> {
         CubeShape { min: self.min.get(row), max: self.max.get(row) }
+    }
+
+    fn shrink_to_fit(&mut self) {
+        self.min.shrink_to_fit();
+        self.max.shrink_to_fit();
     }
 }
 
@@ -169,6 +187,13 @@ impl<T: Real> ShapeColumns<T> for PyramidColumns<T> {
             height: self.height[row],
         }
     }
+
+    fn shrink_to_fit(&mut self) {
+        self.apex.shrink_to_fit();
+        self.base.shrink_to_fit();
+        self.half_width.shrink_to_fit();
+        self.height.shrink_to_fit();
+    }
 }
 
 /// Origin, cell width and images of checkerboards.
@@ -206,6 +231,12 @@ impl<T: Real> ShapeColumns<T> for BoardColumns<T> {
     #[inline(always)]
     fn shape(&self, row: usize) -> PlaneShape<T> {
         PlaneShape { height: self.origin.get(row).z }
+    }
+
+    fn shrink_to_fit(&mut self) {
+        self.origin.shrink_to_fit();
+        self.cell.shrink_to_fit();
+        self.textures.shrink_to_fit();
     }
 }
 

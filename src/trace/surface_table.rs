@@ -59,6 +59,15 @@ impl<T: Real> SurfaceTable<T> {
         self.gloss.replace(row, surface.gloss) && self.mirror.replace(row, surface.mirror)
     }
 
+    /// Gives back memory that no row takes.
+    pub fn shrink_to_fit(&mut self) {
+        self.color.shrink_to_fit();
+        self.ambient.shrink_to_fit();
+        self.diffuse.shrink_to_fit();
+        self.gloss.shrink_to_fit();
+        self.mirror.shrink_to_fit();
+    }
+
     /// A row as it was added.
     #[inline(always)]
     pub fn row(&self, row: usize) -> SurfaceRow<T> {

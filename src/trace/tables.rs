@@ -7,7 +7,8 @@ use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape};
 use super::tree::{Fork, SMALLEST_TREE, Tree};
 
 use super::{
-    BoardColumns, CubeColumns, Kind, LightTable, ObjectId, PyramidColumns, SphereColumns, SurfaceTable,
+    BoardColumns, CubeColumns, Kind, LightTable, ObjectId, PyramidColumns, ShapeColumns, SphereColumns,
+    SurfaceTable,
 };
 
 /// All tables of one frame.
@@ -78,4 +79,13 @@ pub struct ShapeTable<T: Real, C> {
     pub order: Vec<u32>,
     /// Surfaces.
     pub surfaces: SurfaceTable<T>,
+}
+
+impl<T: Real, C: ShapeColumns<T>> ShapeTable<T, C> {
+    /// Gives back memory that no row takes.
+    pub fn shrink_to_fit(&mut self) {
+        self.shapes.shrink_to_fit();
+        self.order.shrink_to_fit();
+        self.surfaces.shrink_to_fit();
+    }
 }

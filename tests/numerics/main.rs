@@ -33,5 +33,6 @@ mod sphere;
 mod spot;
 mod srgb;
 mod straight;
+mod texel;
 mod textbook;
 mod worst;

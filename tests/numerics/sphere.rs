@@ -280,12 +280,15 @@ impl Ends {
 
     /// What `t` may be off by, in epsilons: 4, and more towards the rim.
     ///
-    /// Both roots hang on `q`, the way to the chord's middle plus half the chord. Three roundings, half an epsilon each,
-    /// move the middle along the ray and across it by shares of the distance D from the centre, and across it counts
-    /// `r / half chord` times. So `q` is off by up to `1.5 D / q * (1 + r / half)` epsilons.
+    /// Both roots hang on `q`, the way `m` to the chord's middle plus half the chord. Three roundings, half an epsilon
+    /// each, move the middle along the ray and across it by shares of the distance D from the centre. From afar, across
+    /// counts `r / half` times: `q` is off by up to `1.5 D / q * (1 + r / half)` epsilons. Near the surface and inside,
+    /// half the chord comes from `m` itself, whose error counts `m / half` times: `1.5 D / half`.
     fn bound(&self) -> f64 {
         let half = self.half();
-        BOUND.max(1.5 * self.distance / (self.middle + half) * (1.0 + half.recip()))
+        let is_near = half * half * 2.0 > self.middle * self.middle;
+        let across = if is_near { self.middle } else { 1.0 };
+        BOUND.max(1.5 * self.distance / (self.middle + half) * (1.0 + across / half))
     }
 
     /// What the normal may be off by, in epsilons of the distance: 4, and more towards the rim, as for `t`.
@@ -395,7 +398,7 @@ fn check_random<T: Precision>(shape: &SphereShape<T>, ray: &Ray<T>, figures: &mu
     }
     let error = relative_error(found.t, &truth.t) / T::EPSILON;
     if ends.half() >= GRAZING {
-        figures.t.measure(error, f64::INFINITY, describe);
+        figures.t.measure(error, BOUND, describe);
     }
     figures.share.measure(error / ends.bound(), 1.0, describe);
     ends.check_surface(shape, ray, &mut figures.surface);
