@@ -113,6 +113,7 @@ fn spoilt<T: Real>(ambient: T) -> (Film, u64) {
     assert!(surfaces.replace(0, row));
     let tables = world.resource::<Tables<T>>();
     let camera = tables.camera.as_ref().unwrap();
+    let kernel = Kernel::smallest_for(tables.effects());
     let exposure = Exposure { tables: &tables.scene, camera, level: 4, grid: SampleGrid::CENTER, kernel };
     let mut film = Film::new(camera.pixels()).unwrap();
     let counts = trace_picture(&exposure, &mut film, &workers(2), &Monitor::default());
