@@ -106,6 +106,12 @@ const ROOMS: &[Room] = &[
         may: &[],
     },
     Room {
+        place: "src/study",
+        crates: &[("bevy_ecs", All), ("plotters", Only(&["bars.rs"]))],
+        rooms: &["effects", "film", "geometry", "systems", "trace"],
+        may: &[],
+    },
+    Room {
         place: "src/cli",
         crates: &[
             ("bevy_ecs", All),
@@ -116,14 +122,17 @@ const ROOMS: &[Room] = &[
             ("ctrlc", All),
             ("serde", All),
             ("serde_json", All),
+            ("tempfile", Only(&["instructions.rs"])),
         ],
         rooms: &[
             "components",
+            "effects",
             "film",
             "geometry",
             "image_file",
             "preview",
             "scene",
+            "study",
             "systems",
             "trace",
             "viewer",
