@@ -86,6 +86,12 @@ const ROOMS: &[Room] = &[
         rooms: &["components", "effects", "geometry", "film"],
         may: &[],
     },
+    Room {
+        place: "src/selfcheck",
+        crates: &[("glam", All), ("libm", Only(&["random.rs"]))],
+        rooms: &["components", "effects", "film", "geometry", "trace"],
+        may: &[(Tolerance, All)],
+    },
     Room { place: "src/film.rs", crates: &[], rooms: &[], may: &[] },
     Room {
         place: "src/image_file.rs",
@@ -124,6 +130,7 @@ const ROOMS: &[Room] = &[
             "image_file",
             "preview",
             "scene",
+            "selfcheck",
             "systems",
             "trace",
             "viewer",

@@ -28,6 +28,7 @@ mod plane;
 mod precision;
 mod pyramid;
 mod random;
+mod selfcheck;
 mod sphere;
 mod spot;
 mod straight;
