@@ -86,6 +86,12 @@ const ROOMS: &[Room] = &[
         rooms: &["components", "effects", "geometry", "film"],
         may: &[],
     },
+    Room {
+        place: "src/selfcheck",
+        crates: &[("glam", All), ("libm", Only(&["random.rs"]))],
+        rooms: &["components", "effects", "film", "geometry", "trace"],
+        may: &[(Tolerance, All)],
+    },
     Room { place: "src/film.rs", crates: &[], rooms: &["effects"], may: &[] },
     Room {
         place: "src/image_file.rs",
@@ -132,6 +138,7 @@ const ROOMS: &[Room] = &[
             "image_file",
             "preview",
             "scene",
+            "selfcheck",
             "study",
             "systems",
             "trace",

@@ -40,6 +40,7 @@ pub(super) enum Command {
     Preview(PreviewArgs),
     Check(CheckArgs),
     Write(WriteArgs),
+    Selfcheck(SelfcheckArgs),
     #[cfg(feature = "viewer")]
     View(ViewArgs),
 }
@@ -206,6 +207,22 @@ pub(super) struct WriteArgs {
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: Option<PathBuf>,
 }
+
+/// Hold the kernels of this program against exact truth, on this machine.
+#[derive(Debug, Parser)]
+#[command(after_help = SELFCHECK_HELP)]
+pub(super) struct SelfcheckArgs {
+    /// Ten million rays of each kind instead of a hundred thousand: takes many minutes
+    #[arg(long)]
+    pub(super) long: bool,
+}
+
+const SELFCHECK_HELP: &str = "\
+Each line is a kind of rays in one precision: how many, how many of their parameters are off by up to 1/2, 1, 2, 4 and \
+more epsilons, the largest error, surfaces missed and met falsely, and answers wrong in another way. Status 1 if any is.
+
+Example:
+  archetrace selfcheck";
 
 /// Open a window on a scene: fly through it, edit it, trace it with 0.
 #[cfg(feature = "viewer")]

@@ -8,6 +8,7 @@ mod load;
 #[cfg(feature = "viewer")]
 mod preview;
 mod render;
+mod selfcheck;
 mod stats;
 mod stop;
 #[cfg(feature = "viewer")]
@@ -35,6 +36,7 @@ pub fn run() -> ExitCode {
         Command::Preview(args) => preview::preview(&args),
         Command::Check(args) => check::check(&args),
         Command::Write(args) => write::write(&args),
+        Command::Selfcheck(args) => selfcheck::selfcheck(&args),
         #[cfg(feature = "viewer")]
         Command::View(args) => view::view(&args),
     };
@@ -81,6 +83,8 @@ enum CliError {
     #[cfg(feature = "viewer")]
     #[error(transparent)]
     Gl(#[from] crate::preview::gl::GlError),
+    #[error("this build gives wrong answers on this machine, see the lines that say BAD")]
+    Selfcheck,
     #[error("interrupted; {0} was not written")]
     Interrupted(String),
 }

@@ -30,6 +30,7 @@ mod random;
 #[cfg(feature = "viewer")]
 mod render_command;
 mod scene_files;
+mod selfcheck;
 mod stats;
 mod streams;
 mod textures;

@@ -29,6 +29,7 @@ mod plane;
 mod precision;
 mod pyramid;
 mod random;
+mod selfcheck;
 mod sphere;
 mod spot;
 mod srgb;

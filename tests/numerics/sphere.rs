@@ -494,6 +494,21 @@ fn s04_to_s06_random_planets_f32() {
     check_planet::<f32>(6.0, 2.0, 0x5_0006_0000);
 }
 
+#[test]
+fn s05_random_rays_from_1_above_a_radius_of_1e8() {
+    let mut figures = Figures::new::<f64>("radius 1e8, 1 above");
+    for number in 0..20_000 {
+        let random = &mut Random::new(0x5_0010_0000 + number);
+        let up = random.direction();
+        let center = random.direction() * 1e8 * random.share();
+        let planet = sphere(center, 1e8);
+        let steep = random.between(0.0, 3.0);
+        let down = ray(center + up * (1e8 + 1.0), random.direction() - up * steep);
+        check_random(&planet, &down, &mut figures);
+    }
+    assert!(figures.hits > 12_000);
+}
+
 fn check_inside<T: Precision>(powers: f64, scales: f64, seed: u64) {
     let mut figures = Figures::new::<T>("inside");
     for number in 0..20_000 {
