@@ -4,6 +4,8 @@
 
 mod args;
 mod check;
+mod effects;
+mod instructions;
 mod load;
 #[cfg(feature = "viewer")]
 mod preview;
@@ -35,6 +37,7 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "viewer")]
         Command::Preview(args) => preview::preview(&args),
         Command::Check(args) => check::check(&args),
+        Command::Effects(args) => effects::effects(&args),
         Command::Write(args) => write::write(&args),
         Command::Selfcheck(args) => selfcheck::selfcheck(&args),
         #[cfg(feature = "viewer")]
@@ -75,6 +78,10 @@ enum CliError {
     Output(io::Error),
     #[error("cannot listen for Ctrl-C: {0}")]
     Signal(#[from] ctrlc::Error),
+    #[error("cannot draw the chart")]
+    Chart,
+    #[error("cannot count instructions: {0}")]
+    Instructions(String),
     #[error("cannot encode statistics: {0}")]
     Stats(#[from] serde_json::Error),
     #[cfg(feature = "viewer")]

@@ -119,7 +119,9 @@ pub fn check_leaving<T: Real>(rays: u64, seed: u64) -> Tally {
             (Departure::Inward(..), Some(next)) => tally.wrong += u64::from(!is_exit(&next.hit.crossing)),
             (Departure::Inward(..), None) => tally.leaks += 1,
             (_, Some(_)) => tally.false_hits += 1,
-            (_, None) => tally.false_hits += u64::from(is_occluded(&stage.tables, &ray, &departure)),
+            (_, None) => {
+                tally.false_hits += u64::from(is_occluded(&stage.tables, &ray, &departure, T::INFINITY));
+            }
         }
     }
     tally

@@ -7,7 +7,8 @@ use crate::effects::Rgb;
 use crate::film::Film;
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    CameraRays, Counts, Exposure, GlossRow, LightRow, SampleGrid, SceneTables, Simd, SurfaceRow, radiance,
+    CameraRays, Counts, Exposure, GlossRow, Kernel, LightRow, SampleGrid, SampleId, SceneTables, Simd,
+    SurfaceRow, radiance,
 };
 
 use super::random::Random;
@@ -46,7 +47,7 @@ fn scene<T: Real>(random: &mut Random) -> SceneTables<T> {
         tables.cubes.surfaces.push(surface(random));
         tables.pyramids.surfaces.push(surface(random));
         let position = Vector::from_dvec3(random.direction() * 8.0);
-        tables.lights.push(LightRow { position, falloff: Some(T::from_f64(0.003)), cone: None });
+        tables.lights.push(LightRow { position, falloff: Some(T::from_f64(0.003)), ..LightRow::default() });
     }
     tables.boards.shapes.push(Vector::from_dvec3(DVec3::NEG_Z), T::ONE, None);
     tables.boards.order.push(12);
@@ -62,18 +63,25 @@ fn camera<T: Real>(random: &mut Random) -> Option<CameraRays<T>> {
 
 /// Ray after ray, every object tested.
 fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>, index: u32, counts: &mut Counts) -> [f64; 3] {
-    let start = exposure.camera.ray(index % PIXELS, index / PIXELS);
-    let color = radiance(exposure.tables, start.ray, start.reach, exposure.level, counts);
+    let (column, row) = (index % PIXELS, index / PIXELS);
+    let sample = SampleId { column, row, index: 0 };
+    let start = exposure.camera.ray(column, row);
+    let color = radiance(exposure.tables, start, exposure.level, sample, counts);
     color.to_f64().map(|channel| channel.clamp(0.0, 1.0))
 }
 
-/// In packets.
+/// By a kernel.
 fn film<T: Real>(exposure: &Exposure<'_, T>, simd: Simd, counts: &mut Counts) -> Option<Film> {
     let mut film = Film::new(PIXELS)?;
     for mut tile in film.tiles_mut(32) {
         *counts += exposure.trace_tile(simd, 0, &mut tile, || true);
     }
     Some(film)
+}
+
+/// All vector instructions with all kernels.
+fn paths() -> impl Iterator<Item = (Simd, Kernel)> {
+    Simd::available().into_iter().flat_map(|simd| Kernel::ALL.map(|kernel| (simd, kernel)))
 }
 
 /// Pixels of random scenes that are not the same to the bit on every path, or not finite.
@@ -83,12 +91,18 @@ pub fn check_pictures<T: Real>(scenes: u64, seed: u64) -> Tally {
         let random = &mut Random::new(seed.wrapping_add(number));
         let tables = scene::<T>(random);
         let Some(camera) = camera::<T>(random) else { continue };
-        let exposure = Exposure { tables: &tables, camera: &camera, level: LEVEL, grid: SampleGrid::CENTER };
+        let exposure = Exposure {
+            tables: &tables,
+            camera: &camera,
+            level: LEVEL,
+            grid: SampleGrid::CENTER,
+            kernel: Kernel::smallest_for(tables.effects()),
+        };
         let mut counts = Counts::default();
         let truth: Vec<_> =
             (0..PIXELS * PIXELS).map(|index| ray_by_ray(&exposure, index, &mut counts)).collect();
-        for simd in Simd::available() {
-            let found = film(&exposure, simd, &mut counts);
+        for (simd, kernel) in paths().filter(|&(_, kernel)| kernel >= exposure.kernel) {
+            let found = film(&Exposure { kernel, ..exposure }, simd, &mut counts);
             let found = found.as_ref().map_or(&[][..], Film::pixels);
             tally.cases += u64::from(PIXELS * PIXELS);
             let same = found.iter().zip(&truth).filter(|(a, b)| a.map(f64::to_bits) == b.map(f64::to_bits));

@@ -13,6 +13,13 @@ pub struct RayCounts {
     pub mirror: u64,
 }
 
+impl RayCounts {
+    /// Rays of every kind.
+    pub fn total(&self) -> u64 {
+        self.primary + self.shadow + self.mirror
+    }
+}
+
 /// What was done for some samples of pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {

@@ -11,6 +11,7 @@
 
 mod arguments;
 mod check;
+mod effects;
 mod interrupt;
 #[path = "../scenes/mutant.rs"]
 mod mutant;
