@@ -9,8 +9,11 @@ use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
 use crate::components::{
-    Ambient, Color, Diffuse, Falloff, Gloss, Light, Mirror, Order, Position, SpotCone, Textured,
+    Ambient, AreaLight, Color, Diffuse, Directional, Falloff, Gloss, Light, LightColor, Mirror, Order,
+    Position, SpotCone, Textured,
 };
+
+use super::Muted;
 
 pub(super) type ObjectChange<S> = Or<(
     Changed<S>,
@@ -37,8 +40,16 @@ pub(super) type ObjectGain<S> = Or<(
     Added<Order>,
 )>;
 
-type LightChange =
-    Or<(Changed<Light>, Changed<Position>, Changed<Falloff>, Changed<SpotCone>, Changed<Order>)>;
+type LightChange = Or<(
+    Changed<Light>,
+    Changed<Position>,
+    Changed<Falloff>,
+    Changed<SpotCone>,
+    Changed<LightColor>,
+    Changed<Directional>,
+    Changed<AreaLight>,
+    Changed<Order>,
+)>;
 
 /// What an object cannot be traced without.
 type Needed<'w, 's, S> = (
@@ -56,17 +67,18 @@ pub(super) fn objects_changed<S: Component>(
     census.differs() | !changed.is_empty()
 }
 
-/// How many objects with shape `S` have what components.
+/// How many objects with shape `S` have what components, and what is switched off.
 #[derive(SystemParam)]
 pub(super) struct Census<'w, 's, S: Component> {
     objects: Living<'w, 's, S, S>,
     needed: Needed<'w, 's, S>,
     effects: (Living<'w, 's, S, Gloss>, Living<'w, 's, S, Mirror>, Living<'w, 's, S, Textured>),
     orders: Living<'w, 's, S, Order>,
+    muted: Res<'w, Muted>,
 }
 
 impl<S: Component> Census<'_, '_, S> {
-    /// Whether any number is another than at the last look. Every one is taken, so that none is compared with one from
+    /// Whether anything is another than at the last look. Every one is taken, so that none is compared with one from
     /// longer ago: hence `|`, not `||`.
     pub(super) fn differs(&mut self) -> bool {
         let (positions, colors, ambients, diffuses) = &mut self.needed;
@@ -80,6 +92,7 @@ impl<S: Component> Census<'_, '_, S> {
             | mirrors.differ()
             | textures.differ()
             | self.orders.differ()
+            | self.muted.is_changed()
     }
 }
 
@@ -88,16 +101,23 @@ pub(super) fn lights_changed(
     changed: Query<(), (With<Light>, LightChange)>,
     mut lights: Living<Light, Light>,
     mut positions: Living<Light, Position>,
-    mut effects: (Living<Light, Falloff>, Living<Light, SpotCone>),
+    mut narrowing: (Living<Light, Falloff>, Living<Light, SpotCone>),
+    mut other: (Living<Light, LightColor>, Living<Light, Directional>, Living<Light, AreaLight>),
     mut orders: Living<Light, Order>,
+    muted: Res<Muted>,
 ) -> bool {
-    let (falloffs, cones) = &mut effects;
+    let (falloffs, cones) = &mut narrowing;
+    let (colors, directions, balls) = &mut other;
     !changed.is_empty()
         | lights.differ()
         | positions.differ()
         | falloffs.differ()
         | cones.differ()
+        | colors.differ()
+        | directions.differ()
+        | balls.differ()
         | orders.differ()
+        | muted.is_changed()
 }
 
 /// How many entities of a kind have a component.

@@ -9,11 +9,11 @@ use crate::components::{Ambient, Color, Diffuse, Position};
 use crate::geometry::Real;
 use crate::trace::{ShapeColumns, ShapeTable};
 
-use super::Tables;
 use super::changes::{Census, ObjectChange, ObjectGain};
 use super::object_rows::{ObjectData, ObjectRow, Objects, gather};
 use super::problem::{Checks, WorldProblem};
 use super::shape_tables::ExtractShape;
+use super::{Muted, Tables};
 
 type Lacking = Or<(Without<Position>, Without<Color>, Without<Ambient>, Without<Diffuse>)>;
 
@@ -30,19 +30,20 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     objects: Objects<S>,
     incomplete: Query<Entity, (With<S>, Lacking)>,
     mut edits: Edits<S>,
+    muted: Res<Muted>,
     mut tables: ResMut<Tables<T>>,
 ) {
     tables.revision += 1;
     let same_components = !edits.census.differs();
-    if !(same_components && replace_rows(&edits, &mut tables)) {
-        rebuild(&objects, &incomplete, &mut tables);
+    if !(same_components && replace_rows(&edits, *muted, &mut tables)) {
+        rebuild(&objects, &incomplete, *muted, &mut tables);
     }
 }
 
 /// Writes changed objects over their rows. `false`, and a table to be rebuilt, if that is not all there is to do.
 ///
 /// Nothing came to a changed object, and numbers of components are the same: so nothing went from any other.
-fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, tables: &mut Tables<T>) -> bool {
+fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, muted: Muted, tables: &mut Tables<T>) -> bool {
     let Some(entities) = tables.entities.get(&S::Columns::KIND) else { return false };
     if tables.problems.get(S::NAME).is_none_or(|problems| !problems.is_empty()) {
         return false;
@@ -53,7 +54,7 @@ fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, tables: &mut Tabl
         return false;
     }
     let mut replaced = Vec::new();
-    for object in edits.changed.iter().map(ObjectRow::<S>::from_data) {
+    for object in edits.changed.iter().map(ObjectRow::<S>::from_data).map(|row| row.without(muted)) {
         if edits.gained.contains(object.entity) || replaced.len() > entities.len() / 8 {
             return false;
         }
@@ -88,9 +89,10 @@ fn row_of<S>(object: &ObjectRow<S>, order: &[u32], entities: &[Entity]) -> Optio
 fn rebuild<T: Real, S: ExtractShape<T>>(
     objects: &Objects<S>,
     incomplete: &Query<Entity, (With<S>, Lacking)>,
+    muted: Muted,
     tables: &mut Tables<T>,
 ) {
-    let objects = gather(objects);
+    let objects = gather(objects, muted);
     let mut checks = Checks::default();
     let needs = "Position, Color, Ambient and Diffuse";
     let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind: S::NAME, needs });

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! Stage::Control   control_camera   the moves that were asked for, if any
+//! Stage::Survey    survey_effects   always: one step an archetype
 //! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
 //!                                   row by row where values changed in few of them
 //!                  extract_lights   only if lights changed, came or went
@@ -27,9 +28,11 @@ mod extract_objects;
 mod frame;
 #[cfg(feature = "viewer")]
 mod list_draws;
+mod muted;
 mod object_rows;
 mod problem;
 mod shape_tables;
+mod survey_effects;
 mod trace;
 mod workers;
 
@@ -47,12 +50,15 @@ use extract_lights::extract_lights;
 use extract_objects::extract_objects;
 #[cfg(feature = "viewer")]
 use list_draws::{list_lights, list_objects};
+use survey_effects::survey_effects;
 use trace::trace;
 
 pub use frame::{Frame, FrameError, Tables};
 #[cfg(feature = "viewer")]
 pub use list_draws::Drawn;
+pub use muted::Muted;
 pub use problem::WorldProblem;
+pub use survey_effects::{Survey, carriers_of, take_away};
 pub use trace::{trace_pass, trace_picture};
 pub use workers::{Monitor, Workers, WorkersError};
 
@@ -61,6 +67,8 @@ pub use workers::{Monitor, Workers, WorkersError};
 pub enum Stage {
     /// What was asked of the camera to its pose.
     Control,
+    /// Which effects entities ask for.
+    Survey,
     /// World to tables.
     Extract,
     /// Tables to what makes them fast to search.
@@ -77,6 +85,8 @@ pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
     world.init_resource::<Snapshot>();
     world.init_resource::<Sampling>();
     world.init_resource::<Monitor>();
+    world.init_resource::<Survey>();
+    world.init_resource::<Muted>();
     world.init_resource::<Frame>();
     world.init_resource::<Tables<T>>();
     #[cfg(feature = "viewer")]
@@ -87,7 +97,8 @@ pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
 /// The whole frame: every stage in its order. The World must be [`prepare`]d for the same precision.
 pub fn frame_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
-    schedule.configure_sets((Stage::Control, Stage::Extract, Stage::Build, Stage::Trace).chain());
+    schedule
+        .configure_sets((Stage::Control, Stage::Survey, Stage::Extract, Stage::Build, Stage::Trace).chain());
     add_control(&mut schedule);
     add_extract::<T>(&mut schedule);
     add_build::<T>(&mut schedule);
@@ -103,19 +114,20 @@ pub fn control_schedule() -> Schedule {
     schedule
 }
 
-/// All up to tables that can be traced: [`Stage::Extract`] and [`Stage::Build`].
+/// All up to tables that can be traced: [`Stage::Survey`], [`Stage::Extract`] and [`Stage::Build`].
 pub fn extract_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
-    schedule.configure_sets((Stage::Extract, Stage::Build).chain());
+    schedule.configure_sets((Stage::Survey, Stage::Extract, Stage::Build).chain());
     add_extract::<T>(&mut schedule);
     add_build::<T>(&mut schedule);
     schedule.add_systems(end_frame.after(Stage::Build));
     schedule
 }
 
-/// [`Stage::Extract`] alone, for who measures the stages: what was extracted is to be built before it is traced.
+/// [`Stage::Survey`] and [`Stage::Extract`] alone, for who measures the stages: what was extracted is to be built before it is traced.
 pub fn tables_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
+    schedule.configure_sets((Stage::Survey, Stage::Extract).chain());
     add_extract::<T>(&mut schedule);
     schedule.add_systems(end_frame.after(Stage::Extract));
     schedule
@@ -157,6 +169,7 @@ fn add_control(schedule: &mut Schedule) {
 }
 
 fn add_extract<T: Real>(schedule: &mut Schedule) {
+    schedule.add_systems(survey_effects.in_set(Stage::Survey));
     schedule.add_systems(
         (
             extract_objects::<T, Sphere>.run_if(objects_changed::<Sphere>),

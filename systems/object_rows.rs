@@ -8,10 +8,11 @@ use glam::DVec3;
 
 use crate::components::range::{COEFFICIENT, COLOR, SHININESS};
 use crate::components::{Ambient, Color, Diffuse, Gloss, Mirror, Order, Position, Textured};
-use crate::effects::Rgb;
+use crate::effects::{Effect, Rgb};
 use crate::geometry::Real;
 use crate::trace::{GlossRow, SurfaceRow};
 
+use super::Muted;
 use super::problem::Checks;
 use super::shape_tables::Shape;
 
@@ -31,6 +32,7 @@ pub(super) type Objects<'w, 's, S> = Query<'w, 's, ObjectData<S>>;
 /// fill a large part of the memory once more.
 pub(super) struct Gathered<'w, S> {
     tables: Vec<Columns<'w, S>>,
+    muted: Muted,
     places: Vec<Place>,
 }
 
@@ -56,15 +58,15 @@ struct Place {
     index: u32,
 }
 
-/// Finds objects, and sorts them by scene order and then by value.
-pub(super) fn gather<'w, S: Shape>(objects: &'w Objects<S>) -> Gathered<'w, S> {
+/// Finds objects, without effects that are switched off, and sorts them by scene order and then by value.
+pub(super) fn gather<'w, S: Shape>(objects: &'w Objects<S>, muted: Muted) -> Gathered<'w, S> {
     // Fails only for components with sparse storage, and none of ours has it.
     let tables = objects.contiguous_iter().into_iter().flatten().map(|slices| {
         let (entities, shapes, positions, (colors, ambients, diffuses), orders, effects) = slices;
         let (gloss, mirrors, textures) = effects;
         Columns { entities, shapes, positions, colors, ambients, diffuses, orders, gloss, mirrors, textures }
     });
-    let mut gathered = Gathered { tables: tables.collect(), places: Vec::new() };
+    let mut gathered = Gathered { tables: tables.collect(), muted, places: Vec::new() };
     gathered.places = gathered.places();
     gathered
 }
@@ -81,7 +83,7 @@ impl<S: Shape> Gathered<'_, S> {
     }
 
     fn row(&self, place: Place) -> ObjectRow<S> {
-        self.tables[place.table as usize].row(place.index as usize)
+        self.tables[place.table as usize].row(place.index as usize).without(self.muted)
     }
 
     fn places(&self) -> Vec<Place> {
@@ -148,6 +150,16 @@ impl<S: Shape> ObjectRow<S> {
             gloss: gloss.copied(),
             mirror: mirror.copied(),
             textured: textured.cloned(),
+        }
+    }
+
+    /// The same without effects that are switched off.
+    pub(super) fn without(self, muted: Muted) -> Self {
+        Self {
+            gloss: muted.hear(Effect::Gloss, self.gloss),
+            mirror: muted.hear(Effect::Mirror, self.mirror),
+            textured: muted.hear(Effect::Texture, self.textured),
+            ..self
         }
     }
 

@@ -4,7 +4,7 @@ use bevy_ecs::prelude::*;
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::components::range::{COORDINATE, LENGTH, Range};
+use crate::components::range::{COORDINATE, EXTENT, LENGTH, Range};
 use crate::geometry::Real;
 
 /// Something in the World that cannot be traced. Nothing is traced while there is one.
@@ -57,6 +57,14 @@ pub enum WorldProblem {
         entity: Entity,
         /// The precision asked for.
         precision: &'static str,
+    },
+    /// A direction that is none.
+    #[error("entity {entity}: {value} is zero, which is no direction")]
+    Zero {
+        /// The entity.
+        entity: Entity,
+        /// Component and field.
+        value: &'static str,
     },
     /// A camera that is no basis.
     #[error("entity {entity}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l")]
@@ -112,6 +120,12 @@ impl Checks {
     pub(super) fn length<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
         self.value(entity, value, found, &LENGTH);
         self.precision::<T>(entity, value, found, found > T::LENGTH_LIMIT || found < T::LENGTH_LIMIT.recip());
+    }
+
+    /// A length that may be 0.
+    pub(super) fn extent<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
+        self.value(entity, value, found, &EXTENT);
+        self.precision::<T>(entity, value, found, found > T::LENGTH_LIMIT);
     }
 
     /// Coordinates in their range, and in that of the precision.

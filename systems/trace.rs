@@ -34,7 +34,8 @@ pub(super) fn trace<T: Real>(
         frame.film = film;
     }
     let grid = SampleGrid::new(sampling.side);
-    let exposure = Exposure { tables: &tables.scene, camera, level: snapshot.level, grid };
+    let kernel = workers.kernel_for(tables.effects());
+    let exposure = Exposure { tables: &tables.scene, camera, level: snapshot.level, grid, kernel };
     frame.counts = trace_picture(&exposure, &mut frame.film, &workers, &monitor);
     if monitor.is_cancelled() {
         frame.error = Some(FrameError::Cancelled);
@@ -65,6 +66,7 @@ pub fn trace_pass<T: Real>(
     workers: &Workers,
     monitor: &Monitor,
 ) -> Counts {
+    film.set_transfer(exposure.camera.effects().transfer);
     let mut tiles = film.tiles_mut(workers.tile_size);
     workers.pool.install(|| {
         let each = tiles.par_iter_mut().map(|tile| {

@@ -8,7 +8,8 @@ use bevy_ecs::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
 
-use crate::trace::Simd;
+use crate::effects::EffectSet;
+use crate::trace::{Kernel, Simd};
 
 /// The threads of the heavy systems; a clone shares them. No picture depends on their number or on the tile size.
 #[derive(Resource, Clone, Debug)]
@@ -16,6 +17,8 @@ pub struct Workers {
     pub(super) pool: Arc<ThreadPool>,
     pub(super) tile_size: u32,
     pub(super) simd: Simd,
+    /// The smallest kernel that is used.
+    least: Kernel,
 }
 
 impl Workers {
@@ -25,7 +28,7 @@ impl Workers {
         let builder = ThreadPoolBuilder::new().num_threads(threads.map_or(0, NonZeroUsize::get));
         let pool = builder.build().map_err(|error| WorkersError(error.to_string()))?;
         // 32 x 32 pixels: enough tiles to keep all threads busy to the end, few enough not to matter themselves.
-        Ok(Self { pool: Arc::new(pool), tile_size: 32, simd: Simd::detect() })
+        Ok(Self { pool: Arc::new(pool), tile_size: 32, simd: Simd::detect(), least: Kernel::Plain })
     }
 
     /// The same threads with tiles of another size, in pixels along each side.
@@ -38,6 +41,17 @@ impl Workers {
     #[must_use]
     pub fn with_simd(self, simd: Simd) -> Self {
         Self { simd, ..self }
+    }
+
+    /// The same threads with no smaller kernel than this one, whatever a scene asks for.
+    #[must_use]
+    pub fn with_least_kernel(self, least: Kernel) -> Self {
+        Self { least, ..self }
+    }
+
+    /// The kernel for these effects.
+    pub fn kernel_for(&self, effects: EffectSet) -> Kernel {
+        Kernel::smallest_for(effects).max(self.least)
     }
 
     /// Number of threads.

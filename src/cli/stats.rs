@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
-use crate::trace::{Counts, SceneTables};
+use crate::systems::Tables;
+use crate::trace::Counts;
 
 /// What a render measured and counted.
 #[derive(Debug, Serialize)]
@@ -54,10 +55,10 @@ impl Stats {
         threads: usize,
         phases: Phases,
         counts: &Counts,
-        scene: &SceneTables<T>,
+        tables: &Tables<T>,
     ) -> Self {
-        let tables = scene.table_counts().map(|count| (count.table, count.rows));
-        let effects = scene.effect_counts();
+        let effects = tables.effect_counts();
+        let tables = tables.scene.table_counts().map(|count| (count.table, count.rows));
         Self {
             version: env!("CARGO_PKG_VERSION"),
             precision: T::NAME,
@@ -71,8 +72,11 @@ impl Stats {
                 shadow: counts.rays.shadow,
                 mirror: counts.rays.mirror,
             },
-            rows: tables.into_iter().chain(effects.map(|count| (count.effect, count.rows))).collect(),
-            effects: effects.iter().filter(|count| count.rows > 0).map(|count| count.effect).collect(),
+            rows: tables
+                .into_iter()
+                .chain(effects.iter().map(|count| (count.effect.name(), count.rows)))
+                .collect(),
+            effects: effects.iter().filter(|count| count.rows > 0).map(|count| count.effect.name()).collect(),
             non_finite: counts.non_finite,
         }
     }

@@ -2,7 +2,8 @@
 //!
 //! An object is an entity with a [`Position`] and a shape; its surface has a [`Color`], [`Ambient`] and
 //! [`Diffuse`] part. Whatever it can do beyond that is a component of its own ([`Gloss`], [`Mirror`],
-//! [`Textured`]), and so it is with lights ([`Falloff`], [`SpotCone`]): an effect that no entity carries does not
+//! [`Textured`]), and so it is with lights ([`Falloff`], [`SpotCone`], [`LightColor`],
+//! [`Directional`], [`AreaLight`]): an effect that no entity carries does not
 //! exist for the trace.
 //!
 //! Lengths are in world units, the world is right-handed, z is up. What values are allowed is said once, in
@@ -16,9 +17,9 @@ pub mod range;
 mod settings;
 mod surface;
 
-pub use camera::{CameraPose, Home, Lens, Reference};
+pub use camera::{Aperture, CameraPose, ExposureStops, Home, Lens, Reference, SrgbTransfer};
 pub use camera_input::{CameraInput, CameraMove};
-pub use light::{Falloff, Light, SpotCone};
+pub use light::{AreaLight, Directional, Falloff, Light, LightColor, SpotCone};
 pub use object::{Checkerboard, Cube, Order, Position, Pyramid, Sphere};
 pub use settings::{FrameTime, Precision, Sampling, Snapshot};
 pub use surface::{Ambient, Color, Diffuse, Gloss, Mirror, Texture, Textured};

@@ -1,16 +1,19 @@
 //! What the tables hold, counted.
 
+use crate::effects::{Effect, EffectSet};
 use crate::geometry::Real;
 
-use super::{SceneTables, ShapeColumns, ShapeTable};
+use super::{SceneTables, ShapeColumns, SurfaceTable};
 
 /// An effect that some row asks for, or could.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EffectCount {
-    /// Name in reports: `gloss`, `mirror`, `texture`, `falloff`, `spot_cone`.
-    pub effect: &'static str,
+    /// The effect.
+    pub effect: Effect,
     /// Rows that ask for it; 0 means that the trace never touches it.
     pub rows: usize,
+    /// Memory that its rows take.
+    pub bytes: usize,
 }
 
 /// Rows of a table.
@@ -34,30 +37,35 @@ impl<T: Real> SceneTables<T> {
         ]
     }
 
-    /// Rows that ask for each effect.
-    pub fn effect_counts(&self) -> [EffectCount; 5] {
-        [
-            EffectCount { effect: "gloss", rows: self.over_surfaces(|counts| counts.gloss) },
-            EffectCount { effect: "mirror", rows: self.over_surfaces(|counts| counts.mirror) },
-            EffectCount { effect: "texture", rows: self.boards.shapes.textures.len() },
-            EffectCount { effect: "falloff", rows: self.lights.falloff.len() },
-            EffectCount { effect: "spot_cone", rows: self.lights.cone.len() },
-        ]
+    /// What every effect takes, in the order of [`Effect::ALL`].
+    pub fn effect_counts(&self) -> Vec<EffectCount> {
+        Effect::ALL.into_iter().map(|effect| self.effect_count(effect)).collect()
     }
 
-    fn over_surfaces(&self, part: impl Fn(SurfaceCounts) -> usize) -> usize {
-        part(surface_counts(&self.spheres))
-            + part(surface_counts(&self.cubes))
-            + part(surface_counts(&self.pyramids))
-            + part(surface_counts(&self.boards))
+    /// The effects that some row asks for.
+    pub fn effects(&self) -> EffectSet {
+        Effect::ALL.into_iter().filter(|&effect| self.effect_count(effect).rows > 0).collect()
     }
-}
 
-struct SurfaceCounts {
-    gloss: usize,
-    mirror: usize,
-}
+    fn effect_count(&self, effect: Effect) -> EffectCount {
+        let (rows, bytes) = match effect {
+            Effect::Gloss => self.over_surfaces(|surfaces| surfaces.gloss.size()),
+            Effect::Mirror => self.over_surfaces(|surfaces| surfaces.mirror.size()),
+            Effect::Texture => self.boards.shapes.textures.size(),
+            Effect::Falloff => self.lights.falloff.size(),
+            Effect::SpotCone => self.lights.cone.size(),
+            Effect::LightColor => self.lights.color.size(),
+            Effect::Directional => self.lights.toward.size(),
+            Effect::AreaLight => self.lights.ball.size(),
+            // The camera's, see `CameraEffects::count`.
+            Effect::Aperture | Effect::Exposure | Effect::Srgb => (0, 0),
+        };
+        EffectCount { effect, rows, bytes }
+    }
 
-fn surface_counts<T: Real, C>(table: &ShapeTable<T, C>) -> SurfaceCounts {
-    SurfaceCounts { gloss: table.surfaces.gloss.len(), mirror: table.surfaces.mirror.len() }
+    fn over_surfaces(&self, size: impl Fn(&SurfaceTable<T>) -> (usize, usize)) -> (usize, usize) {
+        let all =
+            [&self.spheres.surfaces, &self.cubes.surfaces, &self.pyramids.surfaces, &self.boards.surfaces];
+        all.into_iter().map(size).fold((0, 0), |sum, size| (sum.0 + size.0, sum.1 + size.1))
+    }
 }

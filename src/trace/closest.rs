@@ -3,10 +3,12 @@
 use crate::geometry::{Convex, Crossing, Ray, Real};
 
 use super::hit::DepartedRow;
+use super::tree::{self, NO_ROW, Packed, Stack, Tree, TreeRay};
 use super::{Departure, Hit, Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 /// The nearest crossing with `t <= reach`. Among crossings at the same `t` the lowest scene order wins, then the
-/// kind, then the row: never the order in which the World keeps its entities.
+/// kind, then the row: never the order in which the World keeps its entities. Tables that have a tree are searched
+/// through it.
 #[inline(always)]
 pub fn closest_hit<T: Real>(
     tables: &SceneTables<T>,
@@ -14,12 +16,22 @@ pub fn closest_hit<T: Real>(
     departure: &Departure,
     reach: T,
 ) -> Option<Hit<T>> {
-    let mut nearest = Nearest { reach, order: u32::MAX, hit: None };
-    nearest.search(&tables.spheres, ray, departure);
-    nearest.search(&tables.cubes, ray, departure);
-    nearest.search(&tables.pyramids, ray, departure);
+    let mut nearest = Nearest { tables, reach, name: ObjectId::NOBODY, crossing: None };
+    let trees = &tables.trees;
+    match &trees.spheres {
+        Some(tree) => nearest.search_tree(&tables.spheres, tree, ray, departure),
+        None => nearest.search(&tables.spheres, ray, departure),
+    }
+    match &trees.cubes {
+        Some(tree) => nearest.search_tree(&tables.cubes, tree, ray, departure),
+        None => nearest.search(&tables.cubes, ray, departure),
+    }
+    match &trees.pyramids {
+        Some(tree) => nearest.search_tree(&tables.pyramids, tree, ray, departure),
+        None => nearest.search(&tables.pyramids, ray, departure),
+    }
     nearest.search(&tables.boards, ray, departure);
-    nearest.hit
+    nearest.hit()
 }
 
 /// The crossing of one row, given how the ray starts.
@@ -57,27 +69,67 @@ fn order_of<T: Real>(tables: &SceneTables<T>, name: u32) -> u32 {
     order[row as usize]
 }
 
-struct Nearest<T> {
+/// The nearest crossing so far.
+struct Nearest<'a, T: Real> {
+    tables: &'a SceneTables<T>,
     reach: T,
-    order: u32,
-    hit: Option<Hit<T>>,
+    /// Packed name of its object.
+    name: u32,
+    crossing: Option<Crossing<T>>,
 }
 
-impl<T: Real> Nearest<T> {
+impl<T: Real> Nearest<'_, T> {
+    #[inline(always)]
+    fn hit(self) -> Option<Hit<T>> {
+        self.crossing.map(|crossing| Hit { object: ObjectId::unpacked(self.name), crossing })
+    }
+
     #[inline(always)]
     fn search<C: ShapeColumns<T>>(&mut self, table: &ShapeTable<T, C>, ray: &Ray<T>, departure: &Departure) {
         let departed = departure.rows(C::KIND);
-        for (row, &order) in (0_u32..).zip(&table.order) {
-            let Some(crossing) = cross_row(&table.shapes, row, ray, departed) else {
-                continue;
-            };
-            let nearer = crossing.t < self.reach;
-            let tie_won = crossing.t == self.reach && (self.hit.is_none() || order < self.order);
-            if nearer || tie_won {
-                self.reach = crossing.t;
-                self.order = order;
-                self.hit = Some(Hit { object: ObjectId { kind: C::KIND, row }, crossing });
-            }
+        for row in (0..).take(table.order.len()) {
+            self.test(table, row, ray, departed);
+        }
+    }
+
+    #[inline(never)]
+    fn search_tree<C: ShapeColumns<T, Shape: Packed<T>>>(
+        &mut self,
+        table: &ShapeTable<T, C>,
+        tree: &Tree<T, C::Shape>,
+        ray: &Ray<T>,
+        departure: &Departure,
+    ) {
+        let departed = departure.rows(C::KIND);
+        // A tree knows no exits.
+        if departed.within != NO_ROW {
+            self.test(table, departed.within, ray, departed);
+        }
+        let mut nearest =
+            tree::Nearest { tables: self.tables, kind: C::KIND, t: self.reach, name: self.name };
+        let ray_of_tree = TreeRay::new(*ray, tree.rounding());
+        tree.search::<true>(&ray_of_tree, departed.row(), &mut nearest, &mut Stack::new());
+        if nearest.name != self.name {
+            self.test(table, ObjectId::unpacked(nearest.name).row, ray, departed);
+        }
+    }
+
+    /// Takes a row if it is nearer, or as near and comes first.
+    #[inline(always)]
+    fn test<C: ShapeColumns<T>>(
+        &mut self,
+        table: &ShapeTable<T, C>,
+        row: u32,
+        ray: &Ray<T>,
+        departed: DepartedRow,
+    ) {
+        let Some(crossing) = cross_row(&table.shapes, row, ray, departed) else { return };
+        let name = ObjectId::packed(C::KIND, row);
+        let is_tie = crossing.t == self.reach;
+        if crossing.t < self.reach || (is_tie && comes_first(self.tables, name, self.name)) {
+            self.reach = crossing.t;
+            self.name = name;
+            self.crossing = Some(crossing);
         }
     }
 }

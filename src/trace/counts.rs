@@ -13,6 +13,13 @@ pub struct RayCounts {
     pub mirror: u64,
 }
 
+impl RayCounts {
+    /// Rays of every kind.
+    pub fn total(&self) -> u64 {
+        self.primary + self.shadow + self.mirror
+    }
+}
+
 /// What was done for some samples of pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
@@ -20,6 +27,19 @@ pub struct Counts {
     pub rays: RayCounts,
     /// Samples whose radiance came out infinite or NaN. There should be none; they count as black.
     pub non_finite: u64,
+}
+
+impl Counts {
+    /// A sample's radiance clamped to 0..=1; black where it is not finite, which is counted.
+    #[inline(always)]
+    pub(super) fn clamp(&mut self, color: [f64; 3]) -> [f64; 3] {
+        if color.iter().all(|channel| channel.is_finite()) {
+            color.map(|channel| channel.clamp(0.0, 1.0))
+        } else {
+            self.non_finite += 1;
+            [0.0; 3]
+        }
+    }
 }
 
 impl AddAssign for Counts {

@@ -75,6 +75,12 @@ impl<R> EffectColumn<R> {
         self.rows.len()
     }
 
+    /// Rows, and the memory that they take in bytes: nothing where there is none.
+    pub fn size(&self) -> (usize, usize) {
+        let slots = self.slots.capacity() * size_of::<u32>();
+        (self.rows.len(), slots + self.rows.capacity() * size_of::<R>())
+    }
+
     /// Whether no row has the effect.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()

@@ -109,4 +109,9 @@ pub(super) struct DepartedRow {
 impl DepartedRow {
     /// No table has a row of this number.
     const NONE: Self = Self { skipped: u32::MAX, within: u32::MAX, face: 0 };
+
+    /// The row, whichever way it was left; a number that no table has if there is none.
+    pub(super) fn row(self) -> u32 {
+        self.skipped.min(self.within)
+    }
 }

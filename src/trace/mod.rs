@@ -5,16 +5,19 @@
 //! the picture is the same for every tiling and number of threads.
 
 mod camera;
+mod camera_effects;
 mod census;
 mod closest;
 mod counts;
 mod effect_column;
 mod hit;
+mod kernel;
 mod light_table;
 mod occlusion;
 mod packet;
 mod radiance;
 mod samples;
+mod sequence;
 mod shade;
 mod shape_columns;
 mod simd;
@@ -24,15 +27,18 @@ mod tile;
 mod tree;
 
 pub use camera::{CameraRay, CameraRays};
+pub use camera_effects::CameraEffects;
 pub use census::{EffectCount, TableCount};
 pub use closest::closest_hit;
 pub use counts::{Counts, RayCounts};
 pub use effect_column::EffectColumn;
 pub use hit::{Departure, Hit, Kind, ObjectId};
+pub use kernel::Kernel;
 pub use light_table::{LightRow, LightTable};
 pub use occlusion::is_occluded;
 pub use radiance::radiance;
 pub use samples::{SampleGrid, SamplePoint};
+pub use sequence::{Purpose, SampleId, Sequence};
 pub use shape_columns::{
     BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };

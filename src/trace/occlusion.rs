@@ -1,28 +1,73 @@
-//! Whether anything stands between two points.
+//! Whether anything stands between a point and a light.
 
 use crate::geometry::{Ray, Real};
 
 use super::closest::cross_row;
+use super::tree::{Any, NO_ROW, Packed, Stack, Tree, TreeRay};
 use super::{Departure, SceneTables, ShapeColumns, ShapeTable};
 
-/// Whether a surface lies strictly between the two ends of a segment, `0 < t < 1` along `segment`. The segment's
-/// far end lies exactly at 1, so that what touches a light does not hide it.
+/// Whether a surface lies strictly before `reach`, `0 < t < reach` along the ray. A light that is somewhere lies exactly
+/// at 1, so that what touches it does not hide it; one without a place lies beyond every number. Tables that have a tree
+/// are searched through it.
 #[inline(always)]
-pub fn is_occluded<T: Real>(tables: &SceneTables<T>, segment: &Ray<T>, departure: &Departure) -> bool {
-    blocks(&tables.spheres, segment, departure)
-        || blocks(&tables.cubes, segment, departure)
-        || blocks(&tables.pyramids, segment, departure)
-        || blocks(&tables.boards, segment, departure)
+pub fn is_occluded<T: Real>(tables: &SceneTables<T>, ray: &Ray<T>, departure: &Departure, reach: T) -> bool {
+    let trees = &tables.trees;
+    blocks(&tables.spheres, trees.spheres.as_deref(), ray, departure, reach)
+        || blocks(&tables.cubes, trees.cubes.as_deref(), ray, departure, reach)
+        || blocks(&tables.pyramids, trees.pyramids.as_deref(), ray, departure, reach)
+        || any_row_blocks(&tables.boards, ray, departure, reach)
 }
 
 #[inline(always)]
-fn blocks<T: Real, C: ShapeColumns<T>>(
+fn blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     table: &ShapeTable<T, C>,
-    segment: &Ray<T>,
+    tree: Option<&Tree<T, C::Shape>>,
+    ray: &Ray<T>,
     departure: &Departure,
+    reach: T,
+) -> bool {
+    match tree {
+        Some(tree) => tree_blocks(table, tree, ray, departure, reach),
+        None => any_row_blocks(table, ray, departure, reach),
+    }
+}
+
+#[inline(always)]
+fn any_row_blocks<T: Real, C: ShapeColumns<T>>(
+    table: &ShapeTable<T, C>,
+    ray: &Ray<T>,
+    departure: &Departure,
+    reach: T,
+) -> bool {
+    (0..).take(table.order.len()).any(|row| row_blocks(table, row, ray, departure, reach))
+}
+
+#[inline(always)]
+fn row_blocks<T: Real, C: ShapeColumns<T>>(
+    table: &ShapeTable<T, C>,
+    row: u32,
+    ray: &Ray<T>,
+    departure: &Departure,
+    reach: T,
+) -> bool {
+    cross_row(&table.shapes, row, ray, departure.rows(C::KIND)).is_some_and(|crossing| crossing.t < reach)
+}
+
+#[inline(never)]
+fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
+    table: &ShapeTable<T, C>,
+    tree: &Tree<T, C::Shape>,
+    ray: &Ray<T>,
+    departure: &Departure,
+    reach: T,
 ) -> bool {
     let departed = departure.rows(C::KIND);
-    (0_u32..).zip(&table.order).any(|(row, _)| {
-        cross_row(&table.shapes, row, segment, departed).is_some_and(|crossing| crossing.t < T::ONE)
-    })
+    // A tree knows no exits.
+    if departed.within != NO_ROW && row_blocks(table, departed.within, ray, departure, reach) {
+        return true;
+    }
+    let mut any = Any { row: NO_ROW, reach };
+    let ray_of_tree = TreeRay::new(*ray, tree.rounding());
+    tree.search::<false>(&ray_of_tree, departed.row(), &mut any, &mut Stack::new());
+    any.row != NO_ROW
 }

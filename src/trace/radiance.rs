@@ -3,11 +3,11 @@
 use crate::effects::{Rgb, reflect};
 use crate::geometry::{Convex, Ray, Real, SurfacePoint};
 
-use super::shade::{Shaded, own_color, shade_local};
-use super::{Counts, Departure, Hit, Kind, SceneTables, ShapeColumns, closest_hit};
+use super::shade::{Lighting, Look, Shaded, own_color};
+use super::{CameraRay, Counts, Departure, Hit, Kind, SampleId, SceneTables, ShapeColumns, closest_hit};
 
-/// The radiance that arrives along a ray (unit direction) from surfaces up to `reach`, followed through mirrors for
-/// at most `level` rays in all (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
+/// The radiance that arrives along a ray of the camera from surfaces within its reach, followed through mirrors for at
+/// most `level` rays in all (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
 /// Not clamped. The caller counts the ray itself.
 ///
 /// Every surface sends on at most one ray, so the recursion `local + r * (local + r * ...)` is a loop that carries
@@ -15,15 +15,14 @@ use super::{Counts, Departure, Hit, Kind, SceneTables, ShapeColumns, closest_hit
 #[inline(never)]
 pub fn radiance<T: Real>(
     tables: &SceneTables<T>,
-    ray: Ray<T>,
-    reach: T,
+    start: CameraRay<T>,
     level: u32,
+    sample: SampleId,
     counts: &mut Counts,
 ) -> Rgb<T> {
     let mut sum = Rgb::BLACK;
     let mut weight = T::ONE;
-    let mut ray = ray;
-    let mut reach = reach;
+    let CameraRay { mut ray, mut reach } = start;
     let mut departure = Departure::Free;
     for remaining in (0..level).rev() {
         let Some(hit) = closest_hit(tables, &ray, &departure, reach) else {
@@ -38,7 +37,9 @@ pub fn radiance<T: Real>(
         let needs_mirrored = surface.gloss.is_some() || reflectance.is_some();
         let mirrored = if needs_mirrored { reflect(ray.direction, shaded.normal) } else { ray.direction };
         let own = own_color(tables, hit.object, surface.color, shaded.point);
-        sum += shade_local(tables, &shaded, &surface, own, mirrored, counts) * weight;
+        let look = Look { sample, ray: level - remaining };
+        let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
+        sum += lighting.shade(own, counts) * weight;
 
         let Some(reflectance) = reflectance else { break };
         weight *= reflectance;

@@ -8,9 +8,9 @@ use core::marker::PhantomData;
 
 use crate::geometry::{ByPrecision, Real};
 
-use super::Counts;
 use super::packet::Scratch;
 use super::tile::{Band, BandTask};
+use super::{Counts, Kernel};
 
 /// The vector instructions that pictures are traced with. No picture depends on them, only its time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,22 +44,24 @@ impl Simd {
         levels.into_iter().flatten().map(Self).collect()
     }
 
-    /// Traces a band of pixels.
+    /// Traces a band of pixels with a kernel.
     pub(super) fn trace<'a, 'b, T: Real>(
         self,
+        kernel: Kernel,
         task: &'a BandTask<'a, T>,
         band: &'a mut Band<'a, 'b>,
         scratch: &'a mut Scratch<T>,
     ) -> Counts {
-        T::by_precision::<TraceBand<'a, 'b>>(Input { level: self.0, task, band, scratch })
+        T::by_precision::<TraceBand<'a, 'b>>(Input { level: self.0, kernel, task, band, scratch })
     }
 }
 
-/// Tracing a band, compiled once for each precision and level.
+/// Tracing a band, compiled once for each precision, kernel and level.
 struct TraceBand<'a, 'b>(PhantomData<(&'a (), &'b ())>);
 
 struct Input<'a, 'b, T: Real> {
     level: Level,
+    kernel: Kernel,
     task: &'a BandTask<'a, T>,
     band: &'a mut Band<'a, 'b>,
     scratch: &'a mut Scratch<T>,
@@ -82,14 +84,23 @@ impl<'a, 'b: 'a> ByPrecision for TraceBand<'a, 'b> {
 
 impl<T: Real> Input<'_, '_, T> {
     fn trace(self) -> Counts {
+        match self.kernel {
+            Kernel::Plain => self.trace_packets::<{ Kernel::Plain.effects().bits() }>(),
+            Kernel::Polished => self.trace_packets::<{ Kernel::Polished.effects().bits() }>(),
+            Kernel::Assignment => self.trace_packets::<{ Kernel::Assignment.effects().bits() }>(),
+            Kernel::Everything => self.task.trace_each(self.band),
+        }
+    }
+
+    fn trace_packets<const EFFECTS: u32>(self) -> Counts {
         match self.level {
-            Level::Baseline => trace_baseline(self),
+            Level::Baseline => trace_baseline::<T, EFFECTS>(self),
             // SAFETY: the level is made by `available` alone, where the processor has these instructions.
             #[cfg(target_arch = "x86_64")]
-            Level::Avx2 => unsafe { trace_avx2(self) },
+            Level::Avx2 => unsafe { trace_avx2::<T, EFFECTS>(self) },
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
-            Level::Avx512 => unsafe { trace_avx512(self) },
+            Level::Avx512 => unsafe { trace_avx512::<T, EFFECTS>(self) },
         }
     }
 }
@@ -102,18 +113,18 @@ fn has_avx512() -> bool {
         && is_x86_feature_detected!("avx512dq")
 }
 
-fn trace_baseline<T: Real>(input: Input<'_, '_, T>) -> Counts {
-    input.task.trace(input.band, input.scratch)
+fn trace_baseline<T: Real, const EFFECTS: u32>(input: Input<'_, '_, T>) -> Counts {
+    input.task.trace_packets::<EFFECTS>(input.band, input.scratch)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn trace_avx2<T: Real>(input: Input<'_, '_, T>) -> Counts {
-    input.task.trace(input.band, input.scratch)
+fn trace_avx2<T: Real, const EFFECTS: u32>(input: Input<'_, '_, T>) -> Counts {
+    input.task.trace_packets::<EFFECTS>(input.band, input.scratch)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
-fn trace_avx512<T: Real>(input: Input<'_, '_, T>) -> Counts {
-    input.task.trace(input.band, input.scratch)
+fn trace_avx512<T: Real, const EFFECTS: u32>(input: Input<'_, '_, T>) -> Counts {
+    input.task.trace_packets::<EFFECTS>(input.band, input.scratch)
 }

@@ -4,7 +4,8 @@ use crate::film::FilmTile;
 use crate::geometry::Real;
 
 use super::packet::{BLOCK_SIDE, Block, Bounds, Scratch};
-use super::{CameraRays, Counts, SampleGrid, SceneTables, Simd};
+use super::radiance::radiance;
+use super::{CameraRays, Counts, Kernel, SampleGrid, SampleId, SceneTables, Simd};
 
 /// What a picture is traced from, and how.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +18,8 @@ pub struct Exposure<'a, T: Real> {
     pub level: u32,
     /// Where pixels are sampled.
     pub grid: SampleGrid,
+    /// What to trace with: one that has the effects of tables and camera. Which one decides about time alone.
+    pub kernel: Kernel,
 }
 
 impl<T: Real> Exposure<'_, T> {
@@ -33,12 +36,13 @@ impl<T: Real> Exposure<'_, T> {
         // The samples of a pixel are the pixel centres of a finer picture.
         let camera = self.camera.refined(self.grid.side());
         let bounds = Bounds::new(self.tables);
-        let task = BandTask { exposure: self, camera: &camera, bounds: &bounds, pass };
+        let gain = camera.effects().gain();
+        let task = BandTask { exposure: self, camera: &camera, bounds: &bounds, pass, gain };
         let mut counts = Counts::default();
         let mut scratch = Scratch::new();
         let left = tile.left();
         for (top, rows) in tile.bands_mut(BLOCK_SIDE).take_while(|_| keep_going()) {
-            counts += simd.trace(&task, &mut Band { left, top, rows }, &mut scratch);
+            counts += simd.trace(self.kernel, &task, &mut Band { left, top, rows }, &mut scratch);
         }
         counts
     }
@@ -57,36 +61,77 @@ pub(super) struct BandTask<'a, T: Real> {
     camera: &'a CameraRays<T>,
     bounds: &'a Bounds<T>,
     pass: u32,
+    /// What all light is multiplied by before it is cut off; packets are for cameras with 1.
+    gain: f64,
 }
 
 impl<T: Real> BandTask<'_, T> {
-    /// Traces a band block by block.
+    /// Traces a band block by block, with the effects of these bits.
     #[inline(always)]
-    pub(super) fn trace(&self, band: &mut Band<'_, '_>, scratch: &mut Scratch<T>) -> Counts {
+    pub(super) fn trace_packets<const EFFECTS: u32>(
+        &self,
+        band: &mut Band<'_, '_>,
+        scratch: &mut Scratch<T>,
+    ) -> Counts {
         let mut counts = Counts::default();
         let Exposure { tables, level, grid, .. } = *self.exposure;
         let (side, point) = (grid.side(), grid.point(self.pass));
         let block = Block { tables, bounds: self.bounds, camera: self.camera, level, step: side };
-        let width = band.rows.first().map_or(0, |row| row.len());
-        let height = small(band.rows.len());
+        let (width, height) = band.size();
         for first in (0..width).step_by(BLOCK_SIDE as usize) {
-            let corner = ((band.left + small(first)) * side + point.column, band.top * side + point.row);
-            let columns = small(width - first).min(BLOCK_SIDE);
+            let corner = ((band.left + first) * side + point.column, band.top * side + point.row);
+            let columns = (width - first).min(BLOCK_SIDE);
             let put = |row: usize, column: usize, sample| {
-                let pixel = &mut band.rows[row][first + column];
-                if self.pass == 0 {
-                    *pixel = sample;
-                } else {
-                    add(pixel, sample);
-                }
+                self.put(&mut band.rows[row][first as usize + column], sample);
             };
             if level == 0 {
                 blacken(columns, height, put);
             } else {
-                block.trace(corner, (columns, height), scratch, &mut counts, put);
+                block.trace::<EFFECTS>(corner, (columns, height), scratch, &mut counts, put);
             }
         }
         counts
+    }
+
+    /// Traces a band pixel by pixel, with every effect.
+    pub(super) fn trace_each(&self, band: &mut Band<'_, '_>) -> Counts {
+        let mut counts = Counts::default();
+        let (width, height) = band.size();
+        for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
+            let sample = self.sample(band.left + column, band.top + row, &mut counts);
+            self.put(&mut band.rows[row as usize][column as usize], sample);
+        }
+        counts
+    }
+
+    fn sample(&self, column: u32, row: u32, counts: &mut Counts) -> [f64; 3] {
+        let Exposure { tables, level, grid, .. } = *self.exposure;
+        if level == 0 {
+            return [0.0; 3];
+        }
+        let (side, point) = (grid.side(), grid.point(self.pass));
+        let sample = SampleId { column, row, index: self.pass };
+        let start = self.camera.sample(column * side + point.column, row * side + point.row, sample);
+        counts.rays.primary += 1;
+        let color = radiance(tables, start, level, sample, counts);
+        counts.clamp(color.to_f64().map(|channel| channel * self.gain))
+    }
+
+    #[inline(always)]
+    fn put(&self, pixel: &mut [f64; 3], sample: [f64; 3]) {
+        if self.pass == 0 {
+            *pixel = sample;
+        } else {
+            add(pixel, sample);
+        }
+    }
+}
+
+impl Band<'_, '_> {
+    /// Columns and rows.
+    #[inline(always)]
+    fn size(&self) -> (u32, u32) {
+        (self.rows.first().map_or(0, |row| small(row.len())), small(self.rows.len()))
     }
 }
 

@@ -4,22 +4,21 @@ use archetrace::components::Snapshot;
 use archetrace::film::Film;
 use archetrace::geometry::Real;
 use archetrace::systems::{Monitor, Tables, Workers, extract_schedule, prepare, trace_picture};
-use archetrace::trace::{Counts, Exposure, SampleGrid, Simd, radiance};
+use archetrace::trace::{Counts, Exposure, Kernel, SampleGrid, SampleId, SceneTables, Simd, Trees, radiance};
 use bevy_ecs::prelude::World;
 
 use crate::support::case::Case;
 use crate::support::scenes::{full_case, random_case, textured_case};
 use crate::support::tracing::workers;
 
-/// Tables and camera of a World.
-fn extracted<T: Real>(case: &Case) -> World {
-    let mut world = case.world();
+/// With tables and camera.
+fn extracted<T: Real>(mut world: World) -> World {
     prepare::<T>(&mut world, workers(1));
     extract_schedule::<T>().run(&mut world);
     world
 }
 
-fn by_packets<T: Real>(exposure: &Exposure<'_, T>, workers: &Workers) -> (Film, Counts) {
+fn by_kernel<T: Real>(exposure: &Exposure<'_, T>, workers: &Workers) -> (Film, Counts) {
     let mut film = Film::new(exposure.camera.pixels()).unwrap();
     let counts = trace_picture(exposure, &mut film, workers, &Monitor::default());
     (film, counts)
@@ -34,29 +33,45 @@ fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>) -> (Vec<[f64; 3]>, Counts) {
             return [0.0; 3];
         }
         counts.rays.primary += 1;
-        let start = exposure.camera.ray(index % pixels, index / pixels);
-        let color = radiance(exposure.tables, start.ray, start.reach, exposure.level, &mut counts);
+        let (column, row) = (index % pixels, index / pixels);
+        let sample = SampleId { column, row, index: 0 };
+        let start = exposure.camera.sample(column, row, sample);
+        let color = radiance(exposure.tables, start, exposure.level, sample, &mut counts);
         color.to_f64().map(|channel| channel.clamp(0.0, 1.0))
     });
     (picture.collect(), counts)
 }
 
 pub(crate) fn check<T: Real>(name: &str, case: &Case) {
-    let world = extracted::<T>(case);
+    check_world::<T>(name, case.world());
+}
+
+pub(crate) fn check_world<T: Real>(name: &str, world: World) {
+    let world = extracted::<T>(world);
     let tables = world.resource::<Tables<T>>();
     let camera = tables.camera.as_ref().unwrap();
     let level = world.resource::<Snapshot>().level;
-    let exposure = Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER };
-    let (truth, rays) = ray_by_ray(&exposure);
-    for simd in Simd::available() {
+    let smallest = Kernel::smallest_for(tables.effects());
+    let with = |kernel| Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER, kernel };
+    let treeless = SceneTables { trees: Trees::default(), ..(*tables.scene).clone() };
+    let (truth, rays) = ray_by_ray(&Exposure { tables: &treeless, ..with(smallest) });
+    for (simd, kernel) in paths().filter(|&(_, kernel)| kernel >= smallest) {
         for (threads, tile) in [(1, 32), (2, 7)] {
             let workers = workers(threads).with_simd(simd).with_tile_size(tile);
-            let (film, counts) = by_packets(&exposure, &workers);
+            let (film, counts) = by_kernel(&with(kernel), &workers);
             let unequal = film.pixels().iter().zip(&truth).filter(|(a, b)| bits(**a) != bits(**b)).count();
-            assert_eq!(unequal, 0, "{name}, {}, {simd:?}, tiles of {tile}: pixels differ", T::NAME);
-            assert_eq!(counts, rays, "{name}, {}, {simd:?}, tiles of {tile}", T::NAME);
+            let path = format!("{name}, {}, {simd:?}, {kernel:?}, tiles of {tile}", T::NAME);
+            assert_eq!(unequal, 0, "{path}: pixels differ");
+            assert_eq!(counts, rays, "{path}");
         }
     }
+}
+
+/// All vector instructions with all kernels; the last one uses none.
+fn paths() -> impl Iterator<Item = (Simd, Kernel)> {
+    let all = |simd| Kernel::ALL.map(|kernel| (simd, kernel));
+    let distinct = |&(simd, kernel): &(Simd, Kernel)| kernel != Kernel::Everything || simd == Simd::detect();
+    Simd::available().into_iter().flat_map(all).filter(distinct)
 }
 
 fn bits(pixel: [f64; 3]) -> [u64; 3] {

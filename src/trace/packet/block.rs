@@ -4,7 +4,7 @@ use crate::geometry::Real;
 use crate::trace::{CameraRays, Counts, SceneTables};
 
 use super::bounds::Bounds;
-use super::lanes::{LANES, RayLanes, VectorLanes};
+use super::lanes::{LANES, RayLanes};
 use super::path::Paths;
 use super::trees::Scratch;
 
@@ -25,7 +25,7 @@ impl<T: Real> Block<'_, T> {
     /// One sample of each pixel of some rows, all of the same length of at most [`BLOCK_SIDE`]; the first one is at
     /// this column and row of the camera's picture. Each is given to `put` with its row and column in the block.
     #[inline(always)]
-    pub(in crate::trace) fn trace(
+    pub(in crate::trace) fn trace<const EFFECTS: u32>(
         &self,
         (left, top): (u32, u32),
         (width, height): (u32, u32),
@@ -39,7 +39,8 @@ impl<T: Real> Block<'_, T> {
         let colors = paths.radiance(&rays, scratch, counts);
         for row in 0..height as usize {
             for column in 0..width as usize {
-                put(row, column, clamped(&colors, row * BLOCK_SIDE as usize + column, counts));
+                let color = colors.get(row * BLOCK_SIDE as usize + column);
+                put(row, column, counts.clamp([color.x.to_f64(), color.y.to_f64(), color.z.to_f64()]));
             }
         }
     }
@@ -56,18 +57,5 @@ impl<T: Real> Block<'_, T> {
             rays.reach[lane] = if is_inside { start.reach } else { -T::INFINITY };
         }
         rays
-    }
-}
-
-/// The colour of a lane, 0 to 1; black where it is not finite, which is counted.
-#[inline(always)]
-fn clamped<T: Real>(colors: &VectorLanes<T>, lane: usize, counts: &mut Counts) -> [f64; 3] {
-    let color = colors.get(lane);
-    let color = [color.x.to_f64(), color.y.to_f64(), color.z.to_f64()];
-    if color.iter().all(|channel| channel.is_finite()) {
-        color.map(|channel| channel.clamp(0.0, 1.0))
-    } else {
-        counts.non_finite += 1;
-        [0.0; 3]
     }
 }

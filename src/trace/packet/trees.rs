@@ -1,8 +1,7 @@
 //! Packets and trees: lane by lane, each ray by itself.
 
-use crate::geometry::Real;
-use crate::trace::closest::comes_first;
-use crate::trace::tree::{Packed, Stack, Tree, TreeRay, TreeSearch};
+use crate::geometry::{Ray, Real, Straight as _};
+use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, Stack, Tree, TreeRay};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 use super::closest::HitLanes;
@@ -17,65 +16,10 @@ pub(in crate::trace) struct Scratch<T> {
 
 /// Lights that a last occluder is remembered for; others share.
 const LIGHTS: usize = 8;
-/// No row.
-const NONE: u32 = u32::MAX;
 
 impl<T: Real> Scratch<T> {
     pub(in crate::trace) fn new() -> Self {
-        Self { stack: Stack::new(), occluders: [[NONE; 3]; LIGHTS] }
-    }
-}
-
-/// The nearest row so far.
-struct Nearest<'a, T: Real> {
-    tables: &'a SceneTables<T>,
-    kind: Kind,
-    t: T,
-    name: u32,
-}
-
-impl<T: Real> TreeSearch<T> for Nearest<'_, T> {
-    #[inline(always)]
-    fn reach(&self) -> T {
-        self.t
-    }
-
-    #[inline(always)]
-    fn meet(&mut self, row: u32, t: T) {
-        let name = ObjectId::packed(self.kind, row);
-        if t < self.t || (t == self.t && comes_first(self.tables, name, self.name)) {
-            self.t = t;
-            self.name = name;
-        }
-    }
-
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        false
-    }
-}
-
-/// Any row before the end of a segment.
-struct Any {
-    row: u32,
-}
-
-impl<T: Real> TreeSearch<T> for Any {
-    #[inline(always)]
-    fn reach(&self) -> T {
-        T::ONE
-    }
-
-    #[inline(always)]
-    fn meet(&mut self, row: u32, t: T) {
-        if t < T::ONE {
-            self.row = row;
-        }
-    }
-
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        self.row != NONE
+        Self { stack: Stack::new(), occluders: [[NO_ROW; 3]; LIGHTS] }
     }
 }
 
@@ -123,10 +67,10 @@ pub(super) fn block_tree<T: Real, C>(
                 segments.reach[lane] = -T::INFINITY;
                 continue;
             }
-            let mut any = Any { row: NONE };
+            let mut any = Any { row: NO_ROW, reach: T::ONE };
             let ray = TreeRay::new(segment, tree.rounding());
             tree.search::<false>(&ray, departed, &mut any, &mut scratch.stack);
-            if any.row != NONE {
+            if any.row != NO_ROW {
                 *last = any.row;
                 segments.reach[lane] = -T::INFINITY;
             }
@@ -136,22 +80,16 @@ pub(super) fn block_tree<T: Real, C>(
 
 /// Whether the row that hid a light last hides it here.
 #[inline(always)]
-fn hides<T: Real, C>(
-    table: &ShapeTable<T, C>,
-    row: u32,
-    departed: u32,
-    segment: &crate::geometry::Ray<T>,
-) -> bool
+fn hides<T: Real, C>(table: &ShapeTable<T, C>, row: u32, departed: u32, segment: &Ray<T>) -> bool
 where
     C: ShapeColumns<T, Shape: Packed<T>>,
 {
-    use crate::geometry::Straight as _;
-    row != NONE && row != departed && table.shapes.shape(row as usize).meet(segment).t < T::ONE
+    row != NO_ROW && row != departed && table.shapes.shape(row as usize).meet(segment).t < T::ONE
 }
 
 /// The row of one kind that the ray of a lane leaves.
 #[inline(always)]
 fn departed_row<T: Real>(rays: &RayLanes<T>, lane: usize, kind: Kind) -> u32 {
     let ObjectId { kind: departed, row } = ObjectId::unpacked(rays.departed[lane]);
-    if departed == kind { row } else { NONE }
+    if departed == kind { row } else { NO_ROW }
 }

@@ -7,6 +7,7 @@
 mod build;
 mod fit;
 mod pack;
+mod searches;
 mod split;
 mod traverse;
 
@@ -19,6 +20,7 @@ use fit::Node;
 pub use build::{Fork, Sequential};
 pub use fit::refit_tree;
 pub use pack::Packed;
+pub(super) use searches::{Any, NO_ROW, Nearest};
 pub(super) use traverse::{Stack, TreeRay, TreeSearch};
 
 /// Children of a node, and rows of a leaf.

@@ -4,9 +4,11 @@ mod camera;
 mod checkerboard;
 mod contacts;
 mod insides;
+mod light_effects;
 mod lights;
 mod mirrors;
 mod neutral;
+mod soft_shadows;
 mod ties;
 
 use archetrace::components::{Ambient, CameraPose, Color, Cube, Diffuse, Lens, Light, Position, Snapshot};
