@@ -13,141 +13,12 @@
 // MODE is points1, points8, points16, user1, user8 or user16; CLASS is primary, shadow, mirror or random.
 #include <embree3/rtcore.h>
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <random>
-#include <sstream>
-#include <string>
-#include <thread>
-#include <time.h>
-#include <vector>
 
-struct Vec { float x, y, z; };
-static Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-static Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-static Vec operator*(Vec a, float s) { return {a.x * s, a.y * s, a.z * s}; }
-static float dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static Vec cross(Vec a, Vec b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-static Vec unit(Vec a) { return a * (1 / std::sqrt(dot(a, a))); }
+#include "support/scene.hpp"
 
-struct Surface { Vec color; float ambient, diffuse, specular, reflection, shininess; };
-struct Sphere { float x, y, z, radius; };
-struct Light { Vec position; float falloff; bool is_spot; Vec axis; float least_cosine; };
-
-struct Scene {
-    float fovy, aspect, cell, board_ambient, board_diffuse, board_reflection;
-    int level, pixels;
-    std::vector<Sphere> spheres;
-    std::vector<Surface> sphere_surfaces;
-    std::vector<Vec> corners;                 // three a triangle
-    std::vector<Surface> triangle_surfaces;   // one a triangle
-    std::vector<Light> lights;
-    Vec eye, look, right, up;
-};
-
-// ---- reading ----------------------------------------------------------------------------------------------------
-
-// A text without its comments.
-static std::string without_comments(const char* path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(file)), {}), kept;
-    kept.reserve(text.size());
-    bool comment = false;
-    for (char c : text) {
-        comment = c == '#' || (comment && c != '\n');
-        if (!comment) kept += c;
-    }
-    return kept;
-}
-
-struct Words {
-    const char* at;
-    float number() {
-        char* end;
-        float value = std::strtof(at, &end);
-        if (end == at) { std::fprintf(stderr, "embree: the scene does not read\n"); std::exit(1); }
-        at = end;
-        return value;
-    }
-    Vec vec() { float x = number(), y = number(), z = number(); return {x, y, z}; }
-    std::string word() {
-        while (std::isspace(static_cast<unsigned char>(*at))) at++;
-        std::string word;
-        while (*at && !std::isspace(static_cast<unsigned char>(*at))) word += *at++;
-        return word;
-    }
-};
-
-static void add_face(Scene& scene, std::initializer_list<Vec> corners, const Surface& surface) {
-    const Vec* c = corners.begin();
-    for (size_t i = 2; i < corners.size(); i++) {
-        scene.corners.insert(scene.corners.end(), {c[0], c[i - 1], c[i]});
-        scene.triangle_surfaces.push_back(surface);
-    }
-}
-
-static void add_cube(Scene& scene, Vec p, float side, const Surface& surface) {
-    auto corner = [&](int x, int y, int z) { return p + Vec{x * side, y * side, z * side}; };
-    add_face(scene, {corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0), corner(1, 0, 0)}, surface);
-    add_face(scene, {corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1)}, surface);
-    add_face(scene, {corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1)}, surface);
-    add_face(scene, {corner(0, 1, 0), corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0)}, surface);
-    add_face(scene, {corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0)}, surface);
-    add_face(scene, {corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1), corner(1, 0, 1)}, surface);
-}
-
-static void add_pyramid(Scene& scene, Vec p, float width, float height, const Surface& surface) {
-    Vec a = p, b = p + Vec{width, 0, 0}, c = p + Vec{width, width, 0}, d = p + Vec{0, width, 0};
-    Vec apex = p + Vec{width / 2, width / 2, height};
-    add_face(scene, {a, d, c, b}, surface);
-    for (auto [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) add_face(scene, {from, to, apex}, surface);
-}
-
-static Scene read_scene(const char* path) {
-    std::string text = without_comments(path);
-    Words words{text.c_str()};
-    Scene scene;
-    words.number(), words.number();   // the clipping planes hold every object of these scenes
-    scene.fovy = words.number(), scene.aspect = words.number();
-    scene.level = int(words.number()), scene.pixels = int(words.number());
-    scene.cell = words.number(), scene.board_ambient = words.number();
-    scene.board_diffuse = words.number(), scene.board_reflection = words.number();
-    for (int count = int(words.number()); count > 0; count--) {
-        std::string kind = words.word();
-        Vec place = words.vec();
-        float size = words.number(), height = kind == "pyramid" ? words.number() : 0;
-        Surface surface{words.vec()};
-        surface.ambient = words.number(), surface.diffuse = words.number(), surface.specular = words.number();
-        surface.reflection = words.number(), surface.shininess = words.number();
-        if (kind == "sphere") {
-            scene.spheres.push_back({place.x, place.y, place.z, size});
-            scene.sphere_surfaces.push_back(surface);
-        } else if (kind == "cube") {
-            add_cube(scene, place, size, surface);
-        } else {
-            add_pyramid(scene, place, size, height, surface);
-        }
-    }
-    for (int count = int(words.number()); count > 0; count--) {
-        Vec place = words.vec();
-        scene.lights.push_back({place, words.number(), false, {}, 0});
-    }
-    for (int count = int(words.number()); count > 0; count--) {
-        Vec place = words.vec();
-        float falloff = words.number();
-        Vec axis = unit(words.vec() - place);
-        scene.lights.push_back({place, falloff, true, axis, std::cos(words.number() * float(M_PI) / 180)});
-    }
-    scene.spheres.reserve(scene.spheres.size() + 1);   // Embree reads a little beyond the last
-    return scene;
-}
+// Cubes and pyramids.
+static Triangles triangles;
 
 // ---- Embree -----------------------------------------------------------------------------------------------------
 
@@ -222,18 +93,18 @@ static RTCScene build(Scene& scene, bool user) {
         rtcAttachGeometryByID(built, spheres, SPHERES);
         rtcReleaseGeometry(spheres);
     }
-    if (!scene.corners.empty()) {
-        RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        size_t count = scene.corners.size();
-        auto* corners = static_cast<Vec*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0,
+    if (!triangles.corners.empty()) {
+        RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        size_t count = triangles.corners.size();
+        auto* corners = static_cast<Vec*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0,
                                                                   RTC_FORMAT_FLOAT3, sizeof(Vec), count));
-        std::copy(scene.corners.begin(), scene.corners.end(), corners);
+        std::copy(triangles.corners.begin(), triangles.corners.end(), corners);
         auto* indices = static_cast<unsigned*>(
-            rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count / 3));
+            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count / 3));
         for (unsigned i = 0; i < count; i++) indices[i] = i;
-        rtcCommitGeometry(triangles);
-        rtcAttachGeometryByID(built, triangles, TRIANGLES);
-        rtcReleaseGeometry(triangles);
+        rtcCommitGeometry(mesh);
+        rtcAttachGeometryByID(built, mesh, TRIANGLES);
+        rtcReleaseGeometry(mesh);
     }
     rtcCommitScene(built);
     return built;
@@ -259,7 +130,6 @@ template <> struct Wide<16> {
 
 struct Flight { Vec origin, direction; float far; };
 struct Found { unsigned geometry, primitive; float t; };
-constexpr float NEAR = 2e-3f;
 
 // Rays with origin, direction and reach in, what they meet out. K rays that all have valid[i] != 0 count.
 template <int K> static void put(typename Wide<K>::Ray& rays, int i, const Flight& f) {
@@ -302,8 +172,8 @@ template <int K> static void occluded(RTCScene scene, const int* valid, const Fl
 // ---- light ------------------------------------------------------------------------------------------------------
 
 static Vec pixel_direction(const Scene& s, int column, int row) {
-    float v = std::tan(s.fovy * float(M_PI) / 360), h = std::tan(s.fovy * s.aspect * float(M_PI) / 360);
-    float across = (2 * (column + 0.5f) / s.pixels - 1) * h, upward = (1 - 2 * (row + 0.5f) / s.pixels) * v;
+    float across = (2 * (column + 0.5f) / s.pixels - 1) * half_width(s);
+    float upward = (1 - 2 * (row + 0.5f) / s.pixels) * half_height(s);
     return unit(s.look + s.right * across + s.up * upward);
 }
 
@@ -325,14 +195,15 @@ static Spot spot_at(const Scene& s, const Flight& f, const Found& found) {
     }
     Vec normal{0, 0, 1};
     if (found.geometry == TRIANGLES) {
-        const Vec* c = &s.corners[3 * found.primitive];
+        const Vec* c = &triangles.corners[3 * found.primitive];
         normal = unit(cross(c[1] - c[0], c[2] - c[0]));
     }
     if (dot(normal, f.direction) > 0) normal = normal * -1;
-    if (found.geometry == TRIANGLES) return {point, normal, s.triangle_surfaces[found.primitive]};
+    if (found.geometry == TRIANGLES) return {point, normal, triangles.surfaces[found.primitive]};
     bool black = (long(std::floor(point.x / s.cell)) + long(std::floor(point.y / s.cell))) & 1;
-    float white = black ? 0 : 1;
-    return {point, normal, {{white, white, white}, s.board_ambient, s.board_diffuse, 0, s.board_reflection, 0}};
+    Surface surface = s.board;
+    if (black) surface.color = {};
+    return {point, normal, surface};
 }
 
 static float lit(const Light& light, const Spot& spot, Vec mirrored, Vec to_light, float distance) {
@@ -393,43 +264,6 @@ static void trace(const Scene& s, RTCScene built, Flight* flights, Vec* colors, 
 }
 
 // ---- measuring --------------------------------------------------------------------------------------------------
-
-static double seconds(clockid_t clock) {
-    timespec t;
-    clock_gettime(clock, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
-static int threads = 2, repeats = 5;
-
-// Calls work(first, end) for pieces of 0..count on all threads.
-static void in_parallel(size_t count, size_t piece, const std::function<void(size_t, size_t)>& work) {
-    std::atomic<size_t> next{0};
-    auto run = [&] {
-        for (size_t at; (at = next.fetch_add(piece)) < count;) work(at, std::min(at + piece, count));
-    };
-    std::vector<std::thread> others;
-    for (int i = 1; i < threads; i++) others.emplace_back(run);
-    run();
-    for (auto& other : others) other.join();
-}
-
-struct Median { double wall, cpu; };
-
-static Median measure(const std::function<void()>& work) {
-    std::vector<double> walls, cpus;
-    work();
-    for (int i = 0; i < repeats; i++) {
-        double wall = seconds(CLOCK_MONOTONIC), cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
-        work();
-        cpus.push_back(seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu);
-        walls.push_back(seconds(CLOCK_MONOTONIC) - wall);
-    }
-    std::sort(walls.begin(), walls.end()), std::sort(cpus.begin(), cpus.end());
-    return {walls[walls.size() / 2], cpus[cpus.size() / 2]};
-}
-
-static void show(const std::string& name, double value) { std::printf("%s %.6g\n", name.c_str(), value); }
 
 // Pixels of square blocks, block after block, so that rays that go together are neighbours.
 static std::vector<std::pair<int, int>> pixels_by_block(int side) {
@@ -527,30 +361,11 @@ template <int K> static void measure_kinds(RTCScene built, const Kinds& kinds, c
     measure_rays<K>(built, kinds.random, "random", mode);
 }
 
-static Vec three(const char* text) {
-    Vec v{};
-    std::sscanf(text, "%f,%f,%f", &v.x, &v.y, &v.z);
-    return v;
-}
-
 int main(int count, char** words) {
-    if (count < 2) return std::fprintf(stderr, "embree SCENE --eye X,Y,Z --look X,Y,Z\n"), 2;
-    Scene scene = read_scene(words[1]);
-    std::string what = "frame";
-    Vec look{0, 1, 0};
-    scene.eye = {0, -150, 50};
-    for (int i = 2; i + 1 < count; i += 2) {
-        std::string flag = words[i];
-        if (flag == "--eye") scene.eye = three(words[i + 1]);
-        if (flag == "--look") look = three(words[i + 1]);
-        if (flag == "--threads") threads = std::atoi(words[i + 1]);
-        if (flag == "--repeats") repeats = std::atoi(words[i + 1]);
-        if (flag == "--size") scene.pixels = std::atoi(words[i + 1]);
-        if (flag == "--what") what = words[i + 1];
-    }
-    scene.look = unit(look);
-    scene.right = unit(cross(scene.look, {0, 0, 1}));
-    scene.up = cross(scene.right, scene.look);
+    Scene scene = scene_of(count, words);
+    for (const Solid& cube : scene.cubes) triangles.cube(cube);
+    for (const Solid& pyramid : scene.pyramids) triangles.pyramid(pyramid);
+    scene.spheres.reserve(scene.spheres.size() + 1);   // Embree reads a little beyond the last
 
     device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
     rtcSetDeviceMemoryMonitorFunction(device, count_bytes, nullptr);

@@ -3,9 +3,9 @@
 #
 # Usage: benches/peers.sh [s0] [process] [rays] [million] [live]
 # All parts unless some are named. ROUNDS=5 says how often, LARGE_ROUNDS=2 for pictures of a million spheres (POV-Ray takes
-# most of a minute for one). LIMIT="COMMAND" names a program that prints, last on its last line, the milliseconds it takes for S0.
+# most of a minute for one). LIMIT="COMMAND" names another limit program, which prints milliseconds at the end of its last line.
 #
-#   s0       the picture of benches/s0, 1024 x 1024: tracing alone
+#   s0       the picture of benches/s0, 1024 x 1024: tracing alone, beside benches/limit.cpp, too
 #   process  the same from start to file
 #   rays     1e3 to 1e6 spheres: millions of rays a second by kind, beside Embree's fastest way of each round
 #   million  a million spheres: loading, building, memory, one edit (of 1e5), and the whole picture
@@ -44,6 +44,9 @@ bench_program() {
 }
 embree=$out/embree
 g++ -O3 -march=native -std=c++17 benches/embree.cpp -o "$embree" -lembree3 -lpthread
+g++ -O3 -march=native -mprefer-vector-width=512 -ffast-math -fno-finite-math-only -mrecip=all -std=c++17 \
+    benches/limit.cpp -o "$out/limit" -lpthread
+limit=${LIMIT:-$out/limit $s0/scene.txt $(cat $s0/scene.cam) --repeats 15}
 
 # ---- measuring ----
 
@@ -110,7 +113,7 @@ run_s0() {
                 "$("$frame" $s0/scene.txt $(camera $s0) --threads 1 --precision $precision | json_number ms_median)"
         done
         record embree "$("$embree" $s0/scene.txt $(camera $s0) --repeats 3 | awk '/^frame/ { print $2 }' | sort -g | head -1)"
-        [[ -z ${LIMIT:-} ]] || record limit "$(bash -c "$LIMIT" | tail -1 | awk '{ print $NF }')"
+        record limit "$($limit | tail -1 | awk '{ print $NF }')"
         record tachyon "$(tachyon_trace $s0 "$size")"
         record povray "$(povray_trace $s0 "$size")"
     done
@@ -118,7 +121,7 @@ run_s0() {
     echo "|---|---|---|---|"
     row "archetrace f32" f32 f32 f64
     row "archetrace f64" f64 f32 f64
-    [[ -z ${LIMIT:-} ]] || row "limit program" limit f32 f64
+    row "limit program" limit f32 f64
     row "Embree, its fastest way" embree f32 f64
     row "tachyon" tachyon f32 f64
     row "POV-Ray" povray f32 f64
