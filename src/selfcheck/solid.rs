@@ -22,6 +22,8 @@ struct Approach {
     /// Sums of the magnitudes of the products in room and slope: what rounding is in proportion to.
     room_size: f64,
     slope_size: f64,
+    /// The same sum of the coordinates of plane and ray themselves.
+    place_size: f64,
 }
 
 impl HalfSpace {
@@ -35,11 +37,18 @@ impl HalfSpace {
             slope: normal.dot(DoubleVector::of(ray.direction)),
             room_size: size(self.through - ray.origin.to_dvec3()),
             slope_size: size(ray.direction.to_dvec3()),
+            place_size: size(self.through) + size(ray.origin.to_dvec3()),
         }
     }
 }
 
 impl Approach {
+    /// Whether the ray starts so close below the plane that its origin counts as a point of it, see
+    /// [`PyramidShape`]'s kernel: four epsilons of each coordinate.
+    fn starts_on(&self, epsilon: f64) -> bool {
+        self.room >= Double::ZERO && self.room.nearest() <= 4.04 * epsilon * self.place_size
+    }
+
     /// How far rounding may move the plane for a ray on its way up to `t`, in epsilons: room takes three roundings of
     /// half an epsilon, slope two, the quotient one.
     fn blur(&self, t: f64) -> f64 {
@@ -143,9 +152,10 @@ fn judge<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray<T>, found:
     tally.cases += 1;
     match (truth, found) {
         (None, None) => {}
-        (Some((end, _)), None) => {
+        (Some((end, side)), None) => {
             let shrunk = chord(&approaches, |face| -epsilon * face.blur(end.t.nearest()));
-            tally.leaks += u64::from(shrunk.is_some());
+            let leaves = approaches.get(end.face).is_some_and(|face| face.starts_on(epsilon));
+            tally.leaks += u64::from(shrunk.is_some() && !(leaves && side == Side::Inside));
         }
         (None, Some(found)) => {
             let grown = chord(&approaches, |face| epsilon * face.blur(found.t.to_f64()));
