@@ -9,8 +9,8 @@ use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
 use crate::components::{
-    Ambient, AreaLight, Color, Diffuse, Directional, Falloff, Gloss, Light, LightColor, Mirror, Order,
-    Position, SpotCone, Textured,
+    Absorption, Ambient, AreaLight, Background, CheckerFilter, Color, Diffuse, Directional, Falloff, Fog,
+    Glass, Gloss, Light, LightColor, Mirror, Order, Position, SpotCone, TextureFilter, Textured,
 };
 
 use super::Muted;
@@ -23,7 +23,11 @@ pub(super) type ObjectChange<S> = Or<(
     Changed<Diffuse>,
     Changed<Gloss>,
     Changed<Mirror>,
+    Changed<Glass>,
+    Changed<Absorption>,
     Changed<Textured>,
+    Changed<TextureFilter>,
+    Changed<CheckerFilter>,
     Changed<Order>,
 )>;
 
@@ -36,7 +40,11 @@ pub(super) type ObjectGain<S> = Or<(
     Added<Diffuse>,
     Added<Gloss>,
     Added<Mirror>,
+    Added<Glass>,
+    Added<Absorption>,
     Added<Textured>,
+    Added<TextureFilter>,
+    Added<CheckerFilter>,
     Added<Order>,
 )>;
 
@@ -50,6 +58,10 @@ type LightChange = Or<(
     Changed<AreaLight>,
     Changed<Order>,
 )>;
+
+type Air = Or<(With<Background>, With<Fog>)>;
+
+type AirChange = Or<(Changed<Background>, Changed<Fog>)>;
 
 /// What an object cannot be traced without.
 type Needed<'w, 's, S> = (
@@ -73,6 +85,8 @@ pub(super) struct Census<'w, 's, S: Component> {
     objects: Living<'w, 's, S, S>,
     needed: Needed<'w, 's, S>,
     effects: (Living<'w, 's, S, Gloss>, Living<'w, 's, S, Mirror>, Living<'w, 's, S, Textured>),
+    filters: (Living<'w, 's, S, TextureFilter>, Living<'w, 's, S, CheckerFilter>),
+    glasses: (Living<'w, 's, S, Glass>, Living<'w, 's, S, Absorption>),
     orders: Living<'w, 's, S, Order>,
     muted: Res<'w, Muted>,
 }
@@ -83,6 +97,8 @@ impl<S: Component> Census<'_, '_, S> {
     pub(super) fn differs(&mut self) -> bool {
         let (positions, colors, ambients, diffuses) = &mut self.needed;
         let (gloss, mirrors, textures) = &mut self.effects;
+        let (texture_filters, checker_filters) = &mut self.filters;
+        let (glass, absorptions) = &mut self.glasses;
         self.objects.differ()
             | positions.differ()
             | colors.differ()
@@ -91,6 +107,10 @@ impl<S: Component> Census<'_, '_, S> {
             | gloss.differ()
             | mirrors.differ()
             | textures.differ()
+            | texture_filters.differ()
+            | checker_filters.differ()
+            | glass.differ()
+            | absorptions.differ()
             | self.orders.differ()
             | self.muted.is_changed()
     }
@@ -118,6 +138,17 @@ pub(super) fn lights_changed(
         | balls.differ()
         | orders.differ()
         | muted.is_changed()
+}
+
+/// Whether background or fog are out of date. What is switched on or off matters only where there is some.
+pub(super) fn air_changed(
+    changed: Query<(), AirChange>,
+    all: Query<(), Air>,
+    mut backgrounds: Living<Background, Background>,
+    mut fogs: Living<Fog, Fog>,
+    muted: Res<Muted>,
+) -> bool {
+    !changed.is_empty() | backgrounds.differ() | fogs.differ() | (muted.is_changed() && !all.is_empty())
 }
 
 /// How many entities of a kind have a component.

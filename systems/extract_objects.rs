@@ -105,7 +105,7 @@ fn rebuild<T: Real, S: ExtractShape<T>>(
     for row in objects.rows() {
         entities.push(row.entity);
         row.check::<T>(&mut checks);
-        row.shape.push(&mut table.shapes, row.position, row.textured.as_ref());
+        row.shape.push(&mut table.shapes, row.position, row.paint());
         table.order.push(row.order);
         table.surfaces.push(row.surface());
     }

@@ -6,7 +6,9 @@
 //! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
 //!                                   row by row where values changed in few of them
 //!                  extract_lights   only if lights changed, came or went
+//!                  extract_air      only if background or fog changed, came or went
 //!                  extract_camera   always: two tangents
+//!                  extract_motion   after the others, only while something has a velocity
 //! Stage::Build     build_trees      only if a large table has no tree, or has changed
 //! Stage::Trace     trace            tables and camera to film, tiles in parallel
 //! Stage::List      list_objects     what the preview draws, per shape kind, only if that kind changed
@@ -22,8 +24,10 @@
 mod build_trees;
 mod changes;
 mod control_camera;
+mod extract_air;
 mod extract_camera;
 mod extract_lights;
+mod extract_motion;
 mod extract_objects;
 mod frame;
 #[cfg(feature = "viewer")]
@@ -43,10 +47,12 @@ use crate::components::{CameraInput, Checkerboard, Cube, Pyramid, Sampling, Snap
 use crate::geometry::Real;
 
 use build_trees::{build_trees, trees_are_lacking};
-use changes::{lights_changed, objects_changed};
+use changes::{air_changed, lights_changed, objects_changed};
 use control_camera::control_camera;
+use extract_air::extract_air;
 use extract_camera::extract_camera;
 use extract_lights::extract_lights;
+use extract_motion::{extract_motion, something_moves};
 use extract_objects::extract_objects;
 #[cfg(feature = "viewer")]
 use list_draws::{list_lights, list_objects};
@@ -177,9 +183,20 @@ fn add_extract<T: Real>(schedule: &mut Schedule) {
             extract_objects::<T, Pyramid>.run_if(objects_changed::<Pyramid>),
             extract_objects::<T, Checkerboard>.run_if(objects_changed::<Checkerboard>),
             extract_lights::<T>.run_if(lights_changed),
+            extract_air::<T>.run_if(air_changed),
             extract_camera::<T>,
         )
             .in_set(Stage::Extract),
+    );
+    // It names rows and asks for the shutter, so it waits until they are there.
+    let motion = extract_motion::<T>.run_if(something_moves::<T>).in_set(Stage::Extract);
+    schedule.add_systems(
+        motion
+            .after(extract_camera::<T>)
+            .after(extract_objects::<T, Sphere>)
+            .after(extract_objects::<T, Cube>)
+            .after(extract_objects::<T, Pyramid>)
+            .after(extract_objects::<T, Checkerboard>),
     );
 }
 

@@ -6,15 +6,18 @@ use bevy_ecs::prelude::*;
 use bevy_ecs::query::QueryData;
 use glam::DVec3;
 
-use crate::components::range::{COEFFICIENT, COLOR, SHININESS};
-use crate::components::{Ambient, Color, Diffuse, Gloss, Mirror, Order, Position, Textured};
+use crate::components::range::{COEFFICIENT, COLOR, DENSITY, INDEX, SHININESS};
+use crate::components::{
+    Absorption, Ambient, CheckerFilter, Color, Diffuse, Glass, Gloss, Mirror, Order, Position, TextureFilter,
+    Textured,
+};
 use crate::effects::{Effect, Rgb};
 use crate::geometry::Real;
-use crate::trace::{GlossRow, SurfaceRow};
+use crate::trace::{GlassRow, GlossRow, SurfaceRow};
 
 use super::Muted;
-use super::problem::Checks;
-use super::shape_tables::Shape;
+use super::problem::{Checks, WorldProblem};
+use super::shape_tables::{Paint, Shape};
 
 /// An object and everything that tells it apart.
 pub(super) type ObjectData<S> = (
@@ -24,6 +27,8 @@ pub(super) type ObjectData<S> = (
     (&'static Color, &'static Ambient, &'static Diffuse),
     Option<&'static Order>,
     (Option<&'static Gloss>, Option<&'static Mirror>, Option<&'static Textured>),
+    (Option<&'static TextureFilter>, Option<&'static CheckerFilter>),
+    (Option<&'static Glass>, Option<&'static Absorption>),
 );
 /// Objects with shape `S`.
 pub(super) type Objects<'w, 's, S> = Query<'w, 's, ObjectData<S>>;
@@ -48,6 +53,10 @@ struct Columns<'w, S> {
     gloss: Option<&'w [Gloss]>,
     mirrors: Option<&'w [Mirror]>,
     textures: Option<&'w [Textured]>,
+    glasses: Option<&'w [Glass]>,
+    absorptions: Option<&'w [Absorption]>,
+    texture_filters: Option<&'w [TextureFilter]>,
+    checker_filters: Option<&'w [CheckerFilter]>,
 }
 
 /// Where an object is stored, and its place in the scene's order.
@@ -62,9 +71,27 @@ struct Place {
 pub(super) fn gather<'w, S: Shape>(objects: &'w Objects<S>, muted: Muted) -> Gathered<'w, S> {
     // Fails only for components with sparse storage, and none of ours has it.
     let tables = objects.contiguous_iter().into_iter().flatten().map(|slices| {
-        let (entities, shapes, positions, (colors, ambients, diffuses), orders, effects) = slices;
+        let (entities, shapes, positions, (colors, ambients, diffuses), orders, effects, filters, glass) =
+            slices;
         let (gloss, mirrors, textures) = effects;
-        Columns { entities, shapes, positions, colors, ambients, diffuses, orders, gloss, mirrors, textures }
+        let (texture_filters, checker_filters) = filters;
+        let (glasses, absorptions) = glass;
+        Columns {
+            entities,
+            shapes,
+            positions,
+            colors,
+            ambients,
+            diffuses,
+            orders,
+            gloss,
+            mirrors,
+            textures,
+            texture_filters,
+            checker_filters,
+            glasses,
+            absorptions,
+        }
     });
     let mut gathered = Gathered { tables: tables.collect(), muted, places: Vec::new() };
     gathered.places = gathered.places();
@@ -117,6 +144,10 @@ impl<S: Shape> Columns<'_, S> {
             gloss: self.gloss.map(|gloss| gloss[index]),
             mirror: self.mirrors.map(|mirrors| mirrors[index]),
             textured: self.textures.map(|textures| textures[index].clone()),
+            texture_filter: self.texture_filters.map(|filters| filters[index]),
+            checker_filter: self.checker_filters.map(|filters| filters[index]),
+            glass: self.glasses.map(|glasses| glasses[index]),
+            absorption: self.absorptions.map(|absorptions| absorptions[index]),
         }
     }
 }
@@ -133,12 +164,19 @@ pub(super) struct ObjectRow<S> {
     pub(super) gloss: Option<Gloss>,
     pub(super) mirror: Option<Mirror>,
     pub(super) textured: Option<Textured>,
+    pub(super) texture_filter: Option<TextureFilter>,
+    pub(super) checker_filter: Option<CheckerFilter>,
+    pub(super) glass: Option<Glass>,
+    pub(super) absorption: Option<Absorption>,
 }
 
 impl<S: Shape> ObjectRow<S> {
     /// A row of its own.
     pub(super) fn from_data(data: <ObjectData<S> as QueryData>::Item<'_, '_>) -> Self {
-        let (entity, &shape, position, (color, ambient, diffuse), order, (gloss, mirror, textured)) = data;
+        let (entity, &shape, position, (color, ambient, diffuse), order, effects, filters, glass) = data;
+        let (gloss, mirror, textured) = effects;
+        let (texture_filter, checker_filter) = filters;
+        let (glass, absorption) = glass;
         Self {
             entity,
             shape,
@@ -150,6 +188,10 @@ impl<S: Shape> ObjectRow<S> {
             gloss: gloss.copied(),
             mirror: mirror.copied(),
             textured: textured.cloned(),
+            texture_filter: texture_filter.copied(),
+            checker_filter: checker_filter.copied(),
+            glass: glass.copied(),
+            absorption: absorption.copied(),
         }
     }
 
@@ -159,7 +201,21 @@ impl<S: Shape> ObjectRow<S> {
             gloss: muted.hear(Effect::Gloss, self.gloss),
             mirror: muted.hear(Effect::Mirror, self.mirror),
             textured: muted.hear(Effect::Texture, self.textured),
+            texture_filter: muted.hear(Effect::TextureFilter, self.texture_filter),
+            checker_filter: muted.hear(Effect::CheckerFilter, self.checker_filter),
+            glass: muted.hear(Effect::Glass, self.glass),
+            absorption: muted.hear(Effect::Absorption, self.absorption),
             ..self
+        }
+    }
+
+    /// What is on the cells of a checkerboard, without filters that have nothing to filter.
+    pub(super) fn paint(&self) -> Paint<'_> {
+        let textured = self.textured.as_ref();
+        Paint {
+            textured,
+            texture_filter: self.texture_filter.filter(|_| textured.is_some()).unwrap_or_default(),
+            has_checker_filter: self.checker_filter.is_some() && textured.is_none(),
         }
     }
 
@@ -170,14 +226,35 @@ impl<S: Shape> ObjectRow<S> {
     }
 
     /// Every number of the row.
-    fn values(&self) -> [f64; 13] {
+    fn values(&self) -> [f64; 18] {
         let [x, y, z] = self.position.to_array();
         let [size, second_size] = self.shape.lengths().map(|length| length.map_or(0.0, |(_, length)| length));
         let [red, green, blue] = self.color.to_array();
         let (ambient, diffuse) = (self.ambient, self.diffuse);
         let Gloss { specular, shininess } = self.gloss.unwrap_or(Gloss { specular: 0.0, shininess: 0.0 });
         let mirror = self.mirror.map_or(0.0, |mirror| mirror.0);
-        [x, y, z, size, second_size, red, green, blue, ambient, diffuse, specular, shininess, mirror]
+        let Glass { index, transmission } = self.glass.unwrap_or(Glass { index: 1.0, transmission: 0.0 });
+        let [i, j, k] = self.absorption.map_or([0.0; 3], |absorption| absorption.0.to_array());
+        [
+            x,
+            y,
+            z,
+            size,
+            second_size,
+            red,
+            green,
+            blue,
+            ambient,
+            diffuse,
+            specular,
+            shininess,
+            mirror,
+            index,
+            transmission,
+            i,
+            j,
+            k,
+        ]
     }
 
     /// Notes every value that is not allowed.
@@ -199,12 +276,32 @@ impl<S: Shape> ObjectRow<S> {
         if let Some(mirror) = self.mirror {
             checks.value(entity, "Mirror", mirror.0, &COEFFICIENT);
         }
+        self.check_glass(checks);
+    }
+
+    fn check_glass(&self, checks: &mut Checks) {
+        let entity = self.entity;
+        if let Some(glass) = self.glass {
+            checks.value(entity, "Glass.index", glass.index, &INDEX);
+            checks.value(entity, "Glass.transmission", glass.transmission, &COEFFICIENT);
+            let found = self.mirror.map_or(0.0, |mirror| mirror.0) + glass.transmission;
+            // Rays would become more and more, and none of them weaker.
+            if found > 1.0 {
+                checks.problems.push(WorldProblem::Excess { entity, found });
+            }
+        }
+        for channel in self.absorption.map_or([0.0; 3], |absorption| absorption.0.to_array()) {
+            checks.value(entity, "Absorption", channel, &DENSITY);
+        }
     }
 
     /// The surface, without effects that would show nothing.
     pub(super) fn surface<T: Real>(&self) -> SurfaceRow<T> {
         let visible_gloss = self.gloss.filter(|gloss| gloss.specular != 0.0);
         let visible_mirror = self.mirror.filter(|mirror| mirror.0 != 0.0);
+        let visible_glass = self.glass.filter(|glass| glass.transmission != 0.0);
+        let visible_absorption =
+            self.absorption.filter(|absorption| absorption.0 != DVec3::ZERO && visible_glass.is_some());
         SurfaceRow {
             color: Rgb::from_dvec3(self.color),
             ambient: T::from_f64(self.ambient),
@@ -214,6 +311,13 @@ impl<S: Shape> ObjectRow<S> {
                 shininess: T::from_f64(gloss.shininess),
             }),
             mirror: visible_mirror.map(|mirror| T::from_f64(mirror.0)),
+            glass: visible_glass.map(|glass| GlassRow {
+                index: T::from_f64(glass.index),
+                transmission: T::from_f64(glass.transmission),
+            }),
+            // Beyond the largest number, absorption times a distance of 0 would be NaN.
+            absorption: visible_absorption
+                .map(|absorption| Rgb::from_dvec3(absorption.0.min(DVec3::splat(T::MAX.to_f64())))),
         }
     }
 }

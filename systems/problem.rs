@@ -66,6 +66,22 @@ pub enum WorldProblem {
         /// Component and field.
         value: &'static str,
     },
+    /// A surface that sends on more light than it receives.
+    #[error("entity {entity}: Mirror and Glass.transmission add up to {found}, but must not exceed 1")]
+    Excess {
+        /// The entity.
+        entity: Entity,
+        /// The sum.
+        found: f64,
+    },
+    /// More than one of what there is at most one of.
+    #[error("the World must have no more than one {kind}, but has {found}")]
+    Surplus {
+        /// The component.
+        kind: &'static str,
+        /// How many there are.
+        found: usize,
+    },
     /// A camera that is no basis.
     #[error("entity {entity}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l")]
     NoBasis {
@@ -81,6 +97,16 @@ pub enum WorldProblem {
         near: f64,
         /// Distance of the far plane.
         far: f64,
+    },
+    /// A shutter that closes before it opens.
+    #[error("entity {entity}: Shutter.close is {close}, but must not be before Shutter.open, {open}")]
+    ShutterOrder {
+        /// The entity.
+        entity: Entity,
+        /// When it opens.
+        open: f64,
+        /// When it closes.
+        close: f64,
     },
     /// No camera, or more than one.
     #[error("the World must have one camera (an entity with CameraPose and Lens), but has {found}")]

@@ -6,8 +6,8 @@ use bevy_ecs::entity_disabling::Disabled;
 use bevy_ecs::prelude::*;
 
 use crate::components::{
-    Aperture, AreaLight, Directional, ExposureStops, Falloff, Gloss, LightColor, Mirror, SpotCone,
-    SrgbTransfer, Textured,
+    Absorption, Aperture, AreaLight, Background, CheckerFilter, Directional, ExposureStops, Falloff, Fog,
+    Glass, Gloss, LightColor, Mirror, SpotCone, SrgbTransfer, TextureFilter, Textured, Velocity,
 };
 use crate::effects::{Effect, EffectSet};
 
@@ -23,6 +23,13 @@ const CARRIERS: [Carrier; Effect::ALL.len()] = [
     Carrier::of::<LightColor>(Effect::LightColor),
     Carrier::of::<Directional>(Effect::Directional),
     Carrier::of::<AreaLight>(Effect::AreaLight),
+    Carrier::of::<Background>(Effect::Background),
+    Carrier::of::<Fog>(Effect::Fog),
+    Carrier::of::<Glass>(Effect::Glass),
+    Carrier::of::<Absorption>(Effect::Absorption),
+    Carrier::of::<TextureFilter>(Effect::TextureFilter),
+    Carrier::of::<CheckerFilter>(Effect::CheckerFilter),
+    Carrier::of::<Velocity>(Effect::MotionBlur),
     Carrier::of::<Aperture>(Effect::Aperture),
     Carrier::of::<ExposureStops>(Effect::Exposure),
     Carrier::of::<SrgbTransfer>(Effect::Srgb),

@@ -65,7 +65,7 @@ const ROOMS: &[Room] = &[
     Room {
         place: "src/effects",
         crates: &[("glam", All), ("libm", Only(&["disk.rs", "spot_cone.rs", "srgb.rs", "mip_chain.rs"]))],
-        rooms: &["geometry"],
+        rooms: &["components", "geometry"],
         may: &[],
     },
     Room {

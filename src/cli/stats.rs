@@ -46,6 +46,7 @@ struct Rays {
     primary: u64,
     shadow: u64,
     mirror: u64,
+    refracted: u64,
 }
 
 impl Stats {
@@ -71,6 +72,7 @@ impl Stats {
                 primary: counts.rays.primary,
                 shadow: counts.rays.shadow,
                 mirror: counts.rays.mirror,
+                refracted: counts.rays.refracted,
             },
             rows: tables
                 .into_iter()

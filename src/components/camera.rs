@@ -69,6 +69,16 @@ pub struct Aperture {
     pub focus: f64,
 }
 
+/// Effect of the camera: it sees objects that have a [`Velocity`](super::Velocity) during some time instead of at second 0.
+/// Each pass over the picture, one sample of every pixel, shows one moment, evenly spaced: a smooth blur wants many.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Shutter {
+    /// When it opens, in seconds, -1e9 to 1e9.
+    pub open: f64,
+    /// When it closes, in seconds, not before.
+    pub close: f64,
+}
+
 /// Effect of the camera: all light counts `2^stops` times before it is cut off at full output, -100 to 100; 0 is as good
 /// as none.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]

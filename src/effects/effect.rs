@@ -19,6 +19,20 @@ pub enum Effect {
     Directional,
     /// Lights with an extent, and soft shadows.
     AreaLight,
+    /// Light from where there is no surface.
+    Background,
+    /// Fog.
+    Fog,
+    /// Glass: refraction, and Fresnel's reflection.
+    Glass,
+    /// Glass that takes light away.
+    Absorption,
+    /// Images that are averaged over some texels.
+    TextureFilter,
+    /// Cells that are averaged over what a pixel covers.
+    CheckerFilter,
+    /// Objects that move while the camera looks.
+    MotionBlur,
     /// A camera with a lens of some width.
     Aperture,
     /// A camera for which light counts more or less.
@@ -29,7 +43,7 @@ pub enum Effect {
 
 impl Effect {
     /// Every effect, in the order of reports.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 18] = [
         Self::Gloss,
         Self::Mirror,
         Self::Texture,
@@ -38,6 +52,13 @@ impl Effect {
         Self::LightColor,
         Self::Directional,
         Self::AreaLight,
+        Self::Background,
+        Self::Fog,
+        Self::Glass,
+        Self::Absorption,
+        Self::TextureFilter,
+        Self::CheckerFilter,
+        Self::MotionBlur,
         Self::Aperture,
         Self::Exposure,
         Self::Srgb,
@@ -54,6 +75,13 @@ impl Effect {
             Self::LightColor => "light_color",
             Self::Directional => "directional",
             Self::AreaLight => "area_light",
+            Self::Background => "background",
+            Self::Fog => "fog",
+            Self::Glass => "glass",
+            Self::Absorption => "absorption",
+            Self::TextureFilter => "texture_filter",
+            Self::CheckerFilter => "checker_filter",
+            Self::MotionBlur => "motion_blur",
             Self::Aperture => "aperture",
             Self::Exposure => "exposure",
             Self::Srgb => "srgb",

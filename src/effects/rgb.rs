@@ -41,6 +41,12 @@ impl<T: Real> Rgb<T> {
         Self { r: scale(r), g: scale(g), b: scale(b) }
     }
 
+    /// The largest of the three, none of them NaN.
+    #[inline(always)]
+    pub fn largest(self) -> T {
+        self.r.at_least(self.g).at_least(self.b)
+    }
+
     /// The same colour in `f64`, exactly.
     pub fn to_f64(self) -> [f64; 3] {
         [self.r.to_f64(), self.g.to_f64(), self.b.to_f64()]

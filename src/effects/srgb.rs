@@ -19,7 +19,7 @@ impl SrgbLevels {
     pub fn new() -> Self {
         let mut least = [0.0; 256];
         for (level, light) in (0_u8..=255).zip(&mut least) {
-            *light = linear(f64::from(level) / 255.0);
+            *light = linear(level);
         }
         Self(least)
     }
@@ -43,7 +43,9 @@ impl Default for SrgbLevels {
     }
 }
 
-/// The light that a value of sRGB, 0 to 1, stands for.
-fn linear(encoded: f64) -> f64 {
-    if encoded <= 0.04045 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) }
+/// The light that a level of sRGB stands for: with `v = level / 255`, `v / 12.92` up to `v = 0.04045`, and
+/// `((v + 0.055) / 1.055)^2.4` from there. In whole numbers as far as they go, so that little is rounded.
+fn linear(level: u8) -> f64 {
+    let steps = f64::from(level);
+    if level <= 10 { 100.0 * steps / 329_460.0 } else { libm::pow((40.0 * steps + 561.0) / 10_761.0, 2.4) }
 }

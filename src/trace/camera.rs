@@ -1,7 +1,7 @@
 //! Rays of the camera.
 
 use crate::components::{Aperture, CameraPose, Lens};
-use crate::effects::disk_point;
+use crate::effects::{PixelCone, disk_point};
 use crate::geometry::{Ray, Real, Vector};
 
 use super::{CameraEffects, Purpose, SampleId};
@@ -18,6 +18,8 @@ pub struct CameraRays<T> {
     across_lens: [Vector<T>; 2],
     near: T,
     far: T,
+    /// Width of a pixel, or its height if that is more, at distance 1.
+    pixel_width: T,
     pixels: u32,
     effects: CameraEffects,
 }
@@ -29,6 +31,8 @@ pub struct CameraRay<T> {
     pub ray: Ray<T>,
     /// Ray parameter at the far plane.
     pub reach: T,
+    /// How wide the pixel is along the ray, on its wider side.
+    pub cone: PixelCone<T>,
 }
 
 impl<T: Real> CameraRays<T> {
@@ -36,14 +40,16 @@ impl<T: Real> CameraRays<T> {
     /// as an angle, whatever the picture's own shape.
     pub fn new(pose: &CameraPose, lens: &Lens, pixels: u32) -> Self {
         let half_extent = |degrees: f64| libm::tan(0.5 * degrees.to_radians());
+        let (wide, high) = (half_extent(lens.fovx()), half_extent(lens.fovy));
         Self {
             eye: Vector::from_dvec3(pose.position),
             look: Vector::from_dvec3(pose.l),
-            right: Vector::from_dvec3(pose.r * half_extent(lens.fovx())),
-            top: Vector::from_dvec3(pose.u * half_extent(lens.fovy)),
+            right: Vector::from_dvec3(pose.r * wide),
+            top: Vector::from_dvec3(pose.u * high),
             across_lens: [pose.r, pose.u].map(Vector::from_dvec3),
             near: T::from_f64(lens.near),
             far: T::from_f64(lens.far),
+            pixel_width: T::from_f64(2.0 * wide.max(high) / f64::from(pixels)),
             pixels,
             effects: CameraEffects::default(),
         }
@@ -63,7 +69,8 @@ impl<T: Real> CameraRays<T> {
     /// The rays of the same camera for a picture of `times` as many pixels along each side.
     #[must_use]
     pub fn refined(&self, times: u32) -> Self {
-        Self { pixels: self.pixels * times, ..self.clone() }
+        let pixel_width = self.pixel_width / T::from_u32(times);
+        Self { pixels: self.pixels * times, pixel_width, ..self.clone() }
     }
 
     /// Pixels along each side.
@@ -101,7 +108,9 @@ impl<T: Real> CameraRays<T> {
     fn near_plane_ray(&self, eye: Vector<T>, direction: Vector<T>) -> CameraRay<T> {
         let length = direction.length();
         let origin = eye + direction * self.near;
-        CameraRay { ray: Ray { origin, direction: direction / length }, reach: self.far * length }
+        // As wide as a pixel is at distance 1 along the look, which the ray reaches after `length`.
+        let cone = PixelCone { width: self.pixel_width * self.near, spread: self.pixel_width / length };
+        CameraRay { ray: Ray { origin, direction: direction / length }, reach: self.far * length, cone }
     }
 
     /// A point of the lens, from its middle.

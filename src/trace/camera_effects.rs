@@ -1,15 +1,17 @@
 //! What a camera does beyond that of a pinhole.
 
-use crate::components::{Aperture, ExposureStops};
+use crate::components::{Aperture, ExposureStops, Shutter};
 use crate::effects::{Effect, EffectSet, Transfer};
 
-use super::EffectCount;
+use super::{EffectCount, SampleGrid};
 
 /// The effects of a camera; what does nothing is not there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CameraEffects {
     /// The width of its lens.
     pub aperture: Option<Aperture>,
+    /// During what time it sees.
+    pub shutter: Option<Shutter>,
     /// How often all light counts.
     pub exposure: Option<ExposureStops>,
     /// What becomes of light in 8 bits.
@@ -33,6 +35,14 @@ impl CameraEffects {
         };
         let (rows, bytes) = if is_there { (1, size) } else { (0, 0) };
         EffectCount { effect, rows, bytes }
+    }
+
+    /// The second that a pass over the picture shows.
+    pub fn second(&self, grid: SampleGrid, pass: u32) -> f64 {
+        self.shutter.map_or(0.0, |shutter| {
+            let share = grid.moment(pass);
+            shutter.open + (shutter.close - shutter.open) * share
+        })
     }
 
     /// What all light is multiplied by.

@@ -2,6 +2,9 @@
 
 use crate::effects::{Effect, EffectSet};
 
+/// Effects that are no work of a kernel: objects are moved before it, and light becomes bytes after it.
+const ELSEWHERE: EffectSet = EffectSet::of(&[Effect::MotionBlur, Effect::Srgb]);
+
 /// Code to trace with, compiled for a set of effects: what is not in the set is not in the code. Each kernel can
 /// trace all that the ones before it can, to the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -23,17 +26,16 @@ impl Kernel {
     /// The effects that it is compiled for.
     pub const fn effects(self) -> EffectSet {
         match self {
-            // The curve of sRGB is no work of a kernel.
-            Self::Plain => EffectSet::of(&[Effect::Srgb]),
-            Self::Polished => EffectSet::of(&[Effect::Gloss, Effect::Mirror, Effect::Srgb]),
+            Self::Plain => ELSEWHERE,
+            Self::Polished => EffectSet::of(&[Effect::Gloss, Effect::Mirror]).union(ELSEWHERE),
             Self::Assignment => EffectSet::of(&[
                 Effect::Gloss,
                 Effect::Mirror,
                 Effect::Texture,
                 Effect::Falloff,
                 Effect::SpotCone,
-                Effect::Srgb,
-            ]),
+            ])
+            .union(ELSEWHERE),
             Self::Everything => EffectSet::ALL,
         }
     }

@@ -21,8 +21,6 @@ pub struct SampleId {
 pub enum Purpose {
     /// Where a ray passes the camera's lens.
     Lens,
-    /// When a ray is cast.
-    Time,
     /// Where on a light a shadow ray ends, for numbered pairs of ray and light.
     Light(u32),
 }
@@ -32,8 +30,7 @@ impl Purpose {
     const fn number(self) -> u32 {
         match self {
             Self::Lens => 0,
-            Self::Time => 1,
-            Self::Light(pair) => pair.wrapping_add(2),
+            Self::Light(pair) => pair.wrapping_add(1),
         }
     }
 }
@@ -160,7 +157,7 @@ mod tests {
         for number in 0..256 {
             let id = SampleId { column: 1, row: 2, index: 0 };
             let [[a, _], [b, _]] =
-                [Purpose::Lens, Purpose::Time].map(|purpose| id.sequence(purpose).point::<f64>(number));
+                [Purpose::Lens, Purpose::Light(0)].map(|purpose| id.sequence(purpose).point::<f64>(number));
             filled.insert((cell(a * 16.0), cell(b * 16.0)));
         }
         assert!(filled.len() > 140, "{} of 256 cells", filled.len());

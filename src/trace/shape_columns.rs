@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::components::Texture;
+use crate::effects::MipChain;
 use crate::geometry::{Convex, CubeShape, PlaneShape, PyramidShape, Real, SphereShape, Vector};
 
 use super::{EffectColumn, Kind};
@@ -82,6 +83,11 @@ impl<T: Real> SphereColumns<T> {
         self.center.replace(row, sphere.center);
         self.radius[row] = sphere.radius;
     }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.center.replace(row, self.center.get(row) + way);
+    }
 }
 
 impl<T: Real> ShapeColumns<T> for SphereColumns<T> {
@@ -121,6 +127,12 @@ impl<T: Real> CubeColumns<T> {
     pub fn replace(&mut self, row: usize, cube: CubeShape<T>) {
         self.min.replace(row, cube.min);
         self.max.replace(row, cube.max);
+    }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.min.replace(row, self.min.get(row) + way);
+        self.max.replace(row, self.max.get(row) + way);
     }
 }
 
@@ -168,6 +180,12 @@ impl<T: Real> PyramidColumns<T> {
         self.half_width[row] = pyramid.half_width;
         self.height[row] = pyramid.height;
     }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.apex.replace(row, self.apex.get(row) + way);
+        self.base[row] += way.z;
+    }
 }
 
 impl<T: Real> ShapeColumns<T> for PyramidColumns<T> {
@@ -203,14 +221,38 @@ pub struct BoardColumns<T> {
     cell: Vec<T>,
     /// Images on the cells, for boards that carry some.
     pub textures: EffectColumn<BoardTexture>,
+    /// How those are looked up, unless texel by texel.
+    pub texture_filters: EffectColumn<ImageFilter>,
+    /// For boards whose plain cells are averaged.
+    pub checker_filters: EffectColumn<()>,
 }
 
 impl<T: Real> BoardColumns<T> {
-    /// Adds a row: the corner of a white cell with the least coordinates, and the width of the cells.
-    pub fn push(&mut self, origin: Vector<T>, cell: T, texture: Option<BoardTexture>) {
+    /// Adds a row: the corner of a white cell with the least coordinates, the width of the cells, and what is on them.
+    pub fn push(&mut self, origin: Vector<T>, cell: T, paint: BoardPaint) {
         self.origin.push(origin);
         self.cell.push(cell);
-        self.textures.push(texture);
+        self.textures.push(paint.texture);
+        self.texture_filters.push(paint.texture_filter);
+        self.checker_filters.push(paint.has_checker_filter.then_some(()));
+    }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.origin.replace(row, self.origin.get(row) + way);
+    }
+
+    /// Whether any row has a filter.
+    #[inline(always)]
+    pub(super) fn has_filters(&self) -> bool {
+        !(self.texture_filters.is_empty() && self.checker_filters.is_empty())
+    }
+
+    /// Rows with a texture filter, and the memory that they and their copies of images take.
+    pub(super) fn texture_filter_size(&self) -> (usize, usize) {
+        let (rows, bytes) = self.texture_filters.size();
+        let filters = (0..self.cell.len()).filter_map(|row| self.texture_filters.get(row));
+        (rows, bytes + filters.map(ImageFilter::bytes).sum::<usize>())
     }
 
     /// Origin and cell width of a row.
@@ -237,6 +279,8 @@ impl<T: Real> ShapeColumns<T> for BoardColumns<T> {
         self.origin.shrink_to_fit();
         self.cell.shrink_to_fit();
         self.textures.shrink_to_fit();
+        self.texture_filters.shrink_to_fit();
+        self.checker_filters.shrink_to_fit();
     }
 }
 
@@ -247,4 +291,39 @@ pub struct BoardTexture {
     pub white: Arc<Texture>,
     /// On black cells.
     pub black: Arc<Texture>,
+}
+
+/// How the images of a checkerboard are looked up.
+#[derive(Clone, Debug)]
+pub enum ImageFilter {
+    /// Between the nearest four texels.
+    Bilinear,
+    /// From smaller copies.
+    Mip {
+        /// Of the image on white cells.
+        white: Arc<MipChain>,
+        /// Of the image on black cells.
+        black: Arc<MipChain>,
+    },
+}
+
+impl ImageFilter {
+    /// Memory held by copies of images.
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Bilinear => 0,
+            Self::Mip { white, black } => white.bytes() + black.bytes(),
+        }
+    }
+}
+
+/// What is on the cells of a checkerboard beyond white and black.
+#[derive(Clone, Debug, Default)]
+pub struct BoardPaint {
+    /// Images.
+    pub texture: Option<BoardTexture>,
+    /// How those are looked up, unless texel by texel.
+    pub texture_filter: Option<ImageFilter>,
+    /// Whether plain cells are averaged over what a pixel covers.
+    pub has_checker_filter: bool,
 }

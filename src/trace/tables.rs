@@ -7,8 +7,8 @@ use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape};
 use super::tree::{Fork, SMALLEST_TREE, Tree};
 
 use super::{
-    BoardColumns, CubeColumns, Kind, LightTable, ObjectId, PyramidColumns, ShapeColumns, SphereColumns,
-    SurfaceTable,
+    Air, BoardColumns, CubeColumns, Kind, LightTable, MovingRow, ObjectId, PyramidColumns, ShapeColumns,
+    SphereColumns, SurfaceTable,
 };
 
 /// All tables of one frame.
@@ -26,6 +26,10 @@ pub struct SceneTables<T: Real> {
     pub trees: Trees<T>,
     /// Lights, in the order in which they are summed.
     pub lights: LightTable<T>,
+    /// What surrounds the objects.
+    pub air: Air<T>,
+    /// Objects that move while the camera looks.
+    pub moving: Vec<MovingRow<T>>,
 }
 
 /// The trees of the tables that have one. No picture depends on them, only its time.

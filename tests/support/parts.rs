@@ -1,8 +1,9 @@
 //! All components of an entity, to be taken out of one World and put into another.
 
 use archetrace::components::{
-    Ambient, Aperture, CameraPose, Checkerboard, Color, Cube, Diffuse, ExposureStops, Falloff, Gloss, Lens,
-    Light, Mirror, Order, Position, Pyramid, Snapshot, Sphere, SpotCone, SrgbTransfer, Textured,
+    Ambient, Aperture, CameraPose, CheckerFilter, Checkerboard, Color, Cube, Diffuse, ExposureStops, Falloff,
+    Gloss, Lens, Light, Mirror, Order, Position, Pyramid, Shutter, Snapshot, Sphere, SpotCone, SrgbTransfer,
+    TextureFilter, Textured, Velocity,
 };
 use bevy_ecs::prelude::*;
 
@@ -51,6 +52,10 @@ parts! {
     aperture: Aperture,
     exposure: ExposureStops,
     srgb: SrgbTransfer,
+    shutter: Shutter,
+    velocity: Velocity,
+    texture_filter: TextureFilter,
+    checker_filter: CheckerFilter,
 }
 
 /// Every entity that an object, light or camera lives on, in the World's own order.

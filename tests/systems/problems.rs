@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use archetrace::components::{
     Ambient, Aperture, CameraPose, Checkerboard, Color, Cube, Diffuse, ExposureStops, Falloff, Gloss, Lens,
-    Light, Mirror, Position, Pyramid, Sampling, Snapshot, Sphere, SpotCone,
+    Light, Mirror, Position, Pyramid, Sampling, Shutter, Snapshot, Sphere, SpotCone,
 };
 use archetrace::geometry::Real;
 use archetrace::systems::{FrameError, Monitor, frame_schedule, prepare};
@@ -242,6 +242,11 @@ fn effects_of_the_camera_must_be_in_their_ranges() {
     check(
         Aperture { radius: -0.0, focus: -4.0 },
         "Aperture.focus is -4, but must be a length from 1e-70 to 1e70",
+    );
+    check(Shutter { open: 1.0, close: 0.5 }, "Shutter.close is 0.5, but must not be before Shutter.open, 1");
+    check(
+        Shutter { open: 0.0, close: f64::INFINITY },
+        "Shutter.close is inf, but must be a number from -1e9 to 1e9",
     );
     check(ExposureStops(101.0), "ExposureStops is 101, but must be a number from -100 to 100");
     check(ExposureStops(f64::NAN), "ExposureStops is NaN, but must be a number from -100 to 100");

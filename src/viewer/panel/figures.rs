@@ -13,10 +13,11 @@ use super::fields::row;
 pub(super) fn figures(ui: &mut Ui, panel: &Panel<'_>) {
     let status = panel.status;
     let rays = status.counts.rays;
-    let all = rays.primary + rays.shadow + rays.mirror;
+    let all = rays.primary + rays.shadow + rays.mirror + rays.refracted;
     amount(ui, "camera rays", "one a pixel and sample", rays.primary);
     amount(ui, "shadow rays", "towards lights", rays.shadow);
-    amount(ui, "mirror rays", "off mirrors", rays.mirror);
+    amount(ui, "mirror rays", "off mirrors and glass", rays.mirror);
+    amount(ui, "refracted rays", "into glass and out of it", rays.refracted);
     amount(ui, "all rays", "of the traced picture that is shown", all);
     let picture = match status.samples {
         0 => "none yet".to_owned(),

@@ -1,6 +1,9 @@
 //! Effects set to do nothing: the picture is that without them, bit for bit.
 
-use archetrace::components::{AreaLight, Falloff, Gloss, Light, LightColor, Mirror, Snapshot, SpotCone};
+use archetrace::components::{
+    Absorption, AreaLight, Background, CameraPose, Color, Falloff, Fog, Glass, Gloss, Light, LightColor,
+    Mirror, Snapshot, SpotCone,
+};
 use archetrace::effects::Effect;
 use archetrace::geometry::Real;
 use archetrace::systems::Tables;
@@ -90,6 +93,23 @@ fn check_additions<T: Real>() {
             entity.insert(AreaLight { radius: 0.0, samples: 16 });
         }
     });
+    assert_adds_nothing::<T>(Effect::Background, |entity| {
+        if entity.contains::<CameraPose>() {
+            entity.insert(Background { below: DVec3::ZERO, above: DVec3::ZERO });
+        }
+    });
+    assert_adds_nothing::<T>(Effect::Fog, |entity| {
+        if entity.contains::<CameraPose>() {
+            entity.insert(Fog { density: 0.0, color: DVec3::ONE });
+        }
+    });
+    for effect in [Effect::Glass, Effect::Absorption] {
+        assert_adds_nothing::<T>(effect, |entity| {
+            if entity.contains::<Color>() {
+                entity.insert((Glass { index: 1.5, transmission: 0.0 }, Absorption(DVec3::ONE)));
+            }
+        });
+    }
 }
 
 #[test]
