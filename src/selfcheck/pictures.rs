@@ -7,8 +7,8 @@ use crate::effects::Rgb;
 use crate::film::Film;
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    CameraRays, Counts, Exposure, GlossRow, Kernel, LightRow, SampleGrid, SampleId, SceneTables, Simd,
-    SurfaceRow, radiance,
+    BoardPaint, CameraRays, Counts, Exposure, GlossRow, Kernel, LightRow, SampleGrid, SampleId, SceneTables,
+    Simd, SurfaceRow, radiance,
 };
 
 use super::random::Random;
@@ -17,7 +17,7 @@ use super::tally::Tally;
 const PIXELS: u32 = 61;
 const LEVEL: u32 = 5;
 
-/// A surface with every effect.
+/// A surface with gloss and a mirror.
 fn surface<T: Real>(random: &mut Random) -> SurfaceRow<T> {
     let mut share = |most: f64| T::from_f64(most * random.share());
     SurfaceRow {
@@ -26,6 +26,8 @@ fn surface<T: Real>(random: &mut Random) -> SurfaceRow<T> {
         diffuse: share(0.6),
         gloss: Some(GlossRow { specular: share(0.5), shininess: share(60.0) }),
         mirror: Some(share(0.6)),
+        glass: None,
+        absorption: None,
     }
 }
 
@@ -49,7 +51,7 @@ fn scene<T: Real>(random: &mut Random) -> SceneTables<T> {
         let position = Vector::from_dvec3(random.direction() * 8.0);
         tables.lights.push(LightRow { position, falloff: Some(T::from_f64(0.003)), ..LightRow::default() });
     }
-    tables.boards.shapes.push(Vector::from_dvec3(DVec3::NEG_Z), T::ONE, None);
+    tables.boards.shapes.push(Vector::from_dvec3(DVec3::NEG_Z), T::ONE, BoardPaint::default());
     tables.boards.order.push(12);
     tables.boards.surfaces.push(surface(random));
     tables

@@ -73,6 +73,31 @@ fn check_shapes<T: Precision>(seed: u64) {
     assert!(hits.iter().all(|&hits| hits > 20_000), "{hits:?}");
 }
 
+/// Lines that all but touch a sphere, from near and far: what is not worth a look is met by none.
+fn check_grazing<T: Precision>(seed: u64) {
+    let mut counts = [0; 2];
+    for number in 0..200_000 {
+        let random = &mut Random::new(seed + number);
+        let size = random.magnitude(-6.0, 6.0);
+        let center = random.point() * size * random.magnitude(-2.0, 2.0);
+        let sphere = SphereShape::<T> { center: Vector::from_dvec3(center), radius: T::from_f64(size) };
+        let normal = random.direction();
+        let along = normal.cross(random.direction()).normalize();
+        let rim = center + normal * size * (1.0 + random.between(-20.0, 20.0) * T::ULP.to_f64());
+        let direction = along * random.magnitude(-3.0, 3.0);
+        let origin = rim - along * size * random.magnitude(-2.0, 3.0);
+        let ray = Ray { origin: Vector::from_dvec3(origin), direction: Vector::from_dvec3(direction) };
+        counts[usize::from(check(&sphere, &ray))] += 1;
+    }
+    assert!(counts.iter().all(|&count| count > 20_000), "{counts:?}");
+}
+
+#[test]
+fn lines_that_graze_a_sphere_are_looked_at() {
+    check_grazing::<f64>(0x7_0300_0000);
+    check_grazing::<f32>(0x7_0400_0000);
+}
+
 #[test]
 fn every_shape_is_the_same_without_branches_f64() {
     check_shapes::<f64>(0x7_0100_0000);

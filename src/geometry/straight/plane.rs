@@ -5,8 +5,11 @@ use crate::geometry::{PlaneShape, Ray, Real, SurfacePoint, Vector};
 
 impl<T: Real> Straight<T> for PlaneShape<T> {
     #[inline(always)]
-    fn may_meet(&self, _ray: &Ray<T>) -> bool {
-        true
+    fn may_meet(&self, ray: &Ray<T>) -> bool {
+        // The quotient is above 0 only where its parts have the same sign. Few rays run towards a floor, and shadow rays
+        // hardly ever: this saves them the division.
+        let (room, rise) = (self.height - ray.origin.z, ray.direction.z);
+        ((room > T::ZERO) & (rise > T::ZERO)) | ((room < T::ZERO) & (rise < T::ZERO))
     }
 
     #[inline(always)]

@@ -31,14 +31,13 @@ impl<T: Real> PyramidShape<T> {
     /// The normal of a face; `face` 0 to 3 by the axis and direction it looks in.
     #[inline(always)]
     fn straight_normal(&self, face: u32) -> Vector<T> {
-        let out = if face & 1 == 1 { self.height } else { -self.height };
-        let x = if face < 2 { out } else { T::ZERO };
-        let y = if face < 2 { T::ZERO } else { out };
-        let side = Vector::new(x, y, self.half_width).unit_of_long();
+        // All side faces lean alike: one root and two quotients do for every ray.
+        let side = Vector::new(self.height, T::ZERO, self.half_width).unit_of_long();
+        let out = if face & 1 == 1 { side.x } else { -side.x };
         let is_base = face == u32::from(BASE);
         Vector::new(
-            if is_base { T::ZERO } else { side.x },
-            if is_base { T::ZERO } else { side.y },
+            if face < 2 { out } else { T::ZERO },
+            if (face < 2) | is_base { T::ZERO } else { out },
             if is_base { -T::ONE } else { side.z },
         )
     }

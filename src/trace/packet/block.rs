@@ -1,11 +1,11 @@
 //! Blocks of pixels.
 
-use crate::geometry::Real;
+use crate::geometry::{Real, Vector};
 use crate::trace::{CameraRays, Counts, SceneTables};
 
 use super::bounds::Bounds;
-use super::lanes::{LANES, RayLanes};
-use super::path::Paths;
+use super::lanes::{LANES, StartLanes, VectorLanes, any, nowhere};
+use super::path::{Departing, Paths};
 use super::trees::Scratch;
 
 /// Pixels along each side of a block.
@@ -36,26 +36,52 @@ impl<T: Real> Block<'_, T> {
         let rays = self.rays((left, top), (width, height));
         counts.rays.primary += u64::from(width * height);
         let paths = Paths { tables: self.tables, bounds: self.bounds, level: self.level };
-        let colors = paths.radiance(&rays, scratch, counts);
+        let mut colors = paths.radiance::<EFFECTS>(rays, scratch, counts);
+        clamp(&mut colors, counts);
         for row in 0..height as usize {
             for column in 0..width as usize {
                 let color = colors.get(row * BLOCK_SIDE as usize + column);
-                put(row, column, counts.clamp([color.x.to_f64(), color.y.to_f64(), color.z.to_f64()]));
+                put(row, column, [color.x.to_f64(), color.y.to_f64(), color.z.to_f64()]);
             }
         }
     }
 
     #[inline(always)]
-    fn rays(&self, (left, top): (u32, u32), (width, height): (u32, u32)) -> RayLanes<T> {
-        let mut rays = RayLanes::idle();
+    fn rays(&self, (left, top): (u32, u32), (width, height): (u32, u32)) -> Departing<T> {
+        let (mut start, mut direction) = (StartLanes::free(), VectorLanes::zero());
+        let mut reach = [nowhere(); LANES];
         for (lane, number) in (0..LANES).zip(0..) {
             let (column, row) = (number % BLOCK_SIDE, number / BLOCK_SIDE);
             let is_inside = (column < width) & (row < height);
-            let start = self.camera.ray(left + column * self.step, top + row * self.step);
-            rays.origin.set(lane, start.ray.origin);
-            rays.direction.set(lane, start.ray.direction);
-            rays.reach[lane] = if is_inside { start.reach } else { -T::INFINITY };
+            let ray = self.camera.ray(left + column * self.step, top + row * self.step);
+            start.point.set(lane, ray.ray.origin);
+            direction.set(lane, ray.ray.direction);
+            reach[lane] = if is_inside { ray.reach } else { nowhere() };
         }
-        rays
+        Departing { start, direction, reach }
+    }
+}
+
+/// [`Counts::clamp`] for every lane.
+#[inline(always)]
+fn clamp<T: Real>(colors: &mut VectorLanes<T>, counts: &mut Counts) {
+    let finite = |value: T| value.abs() < T::INFINITY;
+    if any(|lane| !(finite(colors.x[lane]) & finite(colors.y[lane]) & finite(colors.z[lane]))) {
+        blacken_infinite(colors, counts);
+    }
+    for lane in 0..LANES {
+        colors.x[lane] = colors.x[lane].at_least(T::ZERO).at_most(T::ONE);
+        colors.y[lane] = colors.y[lane].at_least(T::ZERO).at_most(T::ONE);
+        colors.z[lane] = colors.z[lane].at_least(T::ZERO).at_most(T::ONE);
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn blacken_infinite<T: Real>(colors: &mut VectorLanes<T>, counts: &mut Counts) {
+    for lane in 0..LANES {
+        let color = colors.get(lane);
+        let [x, y, z] = counts.clamp([color.x.to_f64(), color.y.to_f64(), color.z.to_f64()]).map(T::from_f64);
+        colors.set(lane, Vector::new(x, y, z));
     }
 }

@@ -4,10 +4,12 @@ use crate::geometry::{Bounded, Real};
 use crate::trace::{Kind, SceneTables, ShapeColumns, ShapeTable};
 
 use super::bundle::Bundle;
-use super::lanes::LANES;
 
 /// The most finite objects that are looked at one by one.
 const MOST: usize = 64;
+
+/// Objects that are looked at together: few scenes without trees have more than one or two times as many.
+const GROUP: usize = 8;
 
 /// Balls around the finite objects that are in no tree, if they are few: spheres, cubes, pyramids, row by row.
 #[derive(Clone, Debug)]
@@ -83,32 +85,33 @@ impl<T: Real> Bounds<T> {
     pub(super) fn near(&self, bundle: &Bundle<T>) -> Candidates {
         let mut candidates = self.all();
         let count = (self.rows[0] + self.rows[1] + self.rows[2]) as usize;
-        if self.complete && bundle.cosine > T::ZERO {
+        if self.complete && bundle.squared_cosine > T::ZERO {
             candidates.bits = 0;
-            for first in (0..count.min(MOST)).step_by(LANES) {
-                candidates.bits |= u64::from(self.near_sixteen(bundle, first)) << first;
+            for first in (0..count.min(MOST)).step_by(GROUP) {
+                candidates.bits |= u64::from(self.near_in_group(bundle, first)) << first;
             }
         }
         candidates
     }
 
     #[inline(always)]
-    fn near_sixteen(&self, bundle: &Bundle<T>, first: usize) -> u32 {
-        let (x, y, z) = (&self.x[first..][..LANES], &self.y[first..][..LANES], &self.z[first..][..LANES]);
-        let (radius, rounding) = (&self.radius[first..][..LANES], &self.rounding[first..][..LANES]);
+    fn near_in_group(&self, bundle: &Bundle<T>, first: usize) -> u32 {
+        let (x, y, z) = (&self.x[first..][..GROUP], &self.y[first..][..GROUP], &self.z[first..][..GROUP]);
+        let (radius, rounding) = (&self.radius[first..][..GROUP], &self.rounding[first..][..GROUP]);
         let apex = bundle.apex;
         let base = (apex.x.abs() + apex.y.abs()) + (apex.z.abs() + bundle.spread);
         let mut bits = 0;
-        for lane in 0..LANES {
+        for lane in 0..GROUP {
             let (dx, dy, dz) = (x[lane] - apex.x, y[lane] - apex.y, z[lane] - apex.z);
             let along = (dx * bundle.axis.x + dy * bundle.axis.y) + dz * bundle.axis.z;
             let (ax, ay, az) =
                 (dx - bundle.axis.x * along, dy - bundle.axis.y * along, dz - bundle.axis.z * along);
-            let across = ((ax * ax + ay * ay) + az * az).sqrt();
+            let across_squared = (ax * ax + ay * ay) + az * az;
             let size = base + ((dx.abs() + dy.abs()) + (dz.abs() + radius[lane]));
             let radius = radius[lane] + bundle.spread + rounding[lane] * size;
-            // The distance from the side of the cone is no more than that from the cone.
-            let beside = across * bundle.cosine - along.at_least(T::ZERO) * bundle.sine > radius;
+            // The distance from the side of the cone is no more than that from the cone; squares save a root.
+            let side = radius + along.at_least(T::ZERO) * bundle.sine;
+            let beside = across_squared * bundle.squared_cosine > side * side;
             let misses = beside | (along < -radius) | (along > bundle.length + radius);
             bits |= u32::from(!misses) << lane;
         }
@@ -151,6 +154,14 @@ pub(super) struct Rows {
     bits: u64,
     next: u32,
     end: u32,
+}
+
+impl Rows {
+    /// Whether there is none. To be asked before a loop: what compilers take out of it is then not done for nothing.
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.bits == 0 && self.next >= self.end
+    }
 }
 
 impl Iterator for Rows {

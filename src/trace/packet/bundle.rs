@@ -1,8 +1,15 @@
-//! A cone around the rays of a packet.
+//! Balls around the starts of a packet's rays, and cones around its rays.
 
 use crate::geometry::{Real, Vector};
 
-use super::lanes::{LANES, Lanes, VectorLanes, greatest};
+use super::lanes::{LANES, Lanes, Reach, VectorLanes, greatest, mask};
+
+/// Every active lane's point lies within `radius` of `center`, up to rounding.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cluster<T> {
+    center: Vector<T>,
+    radius: T,
+}
 
 /// Every ray of the packet starts within `spread` of `apex` and runs within the cone around `axis`, up to `length`.
 #[derive(Clone, Copy, Debug)]
@@ -10,43 +17,77 @@ pub(super) struct Bundle<T> {
     pub(super) apex: Vector<T>,
     pub(super) spread: T,
     pub(super) axis: Vector<T>,
-    /// Cosine and sine of the angle between axis and side: not above and not below the true ones.
-    pub(super) cosine: T,
+    /// Sine of the angle between axis and side, not below the true one, and the square of its cosine, not above. A cone
+    /// so wide that it says nothing has one that is not above 0.
     pub(super) sine: T,
+    pub(super) squared_cosine: T,
     pub(super) length: T,
 }
 
-/// A lane in the middle of a block, whose ray is taken for the axis: near enough, and nothing to sum.
+/// A lane in the middle of a block, taken for the centre if it is active: near enough, and nothing to sum.
 const MIDDLE: usize = 5;
 
-impl<T: Real> Bundle<T> {
-    /// Rays with origins of their own and unit directions, without end. Every lane counts, also an idle one.
+/// An active lane, if there is one.
+#[inline(always)]
+fn central_lane<T: Real>(reach: &Reach<T>) -> usize {
+    if reach[MIDDLE] >= T::ZERO {
+        MIDDLE
+    } else {
+        mask(|lane| reach[lane] >= T::ZERO).trailing_zeros() as usize % LANES
+    }
+}
+
+impl<T: Real> Cluster<T> {
+    /// Around the points of the active lanes.
     #[inline(always)]
-    pub(super) fn of_rays(origins: &VectorLanes<T>, directions: &VectorLanes<T>) -> Self {
-        let apex = origins.get(MIDDLE);
+    pub(super) fn of(points: &VectorLanes<T>, reach: &Reach<T>) -> Self {
+        let center = points.get(central_lane(reach));
         let mut squares: Lanes<T> = [T::ZERO; LANES];
         for lane in 0..LANES {
-            let apart = origins.get(lane) - apex;
-            squares[lane] = apart.dot(apart);
+            let apart = points.get(lane) - center;
+            let square = apart.dot(apart);
+            squares[lane] = if reach[lane] >= T::ZERO { square } else { T::ZERO };
         }
-        Self { spread: greatest(&squares).sqrt(), ..Self::from_point(apex, directions, T::INFINITY) }
+        Self { center, radius: greatest(&squares).sqrt() }
     }
+}
 
-    /// Rays from one point, of which the unit directions are given.
+impl<T: Real> Bundle<T> {
+    /// The active rays of unit directions from a cluster, without end.
     #[inline(always)]
-    pub(super) fn from_point(apex: Vector<T>, directions: &VectorLanes<T>, length: T) -> Self {
-        let axis = directions.get(MIDDLE);
+    pub(super) fn of_rays(starts: &Cluster<T>, directions: &VectorLanes<T>, reach: &Reach<T>) -> Self {
+        let axis = directions.get(central_lane(reach));
         let mut squared_sines: Lanes<T> = [T::ZERO; LANES];
         for lane in 0..LANES {
             let direction = directions.get(lane);
             let cosine = direction.dot(axis);
             let across = direction - axis * cosine;
-            squared_sines[lane] = if cosine > T::ZERO { across.dot(across) } else { T::TWO };
+            let square = across.dot(across);
+            let squared_sine = if cosine > T::ZERO { square } else { T::TWO };
+            squared_sines[lane] = if reach[lane] >= T::ZERO { squared_sine } else { T::ZERO };
         }
+        let (apex, spread) = (starts.center, starts.radius);
+        Self { apex, spread, axis, length: T::INFINITY, ..Self::wide(greatest(&squared_sines).sqrt()) }
+    }
+
+    /// All ways from a point to a cluster.
+    #[inline(always)]
+    pub(super) fn from_point(apex: Vector<T>, ends: &Cluster<T>) -> Self {
+        let way = ends.center - apex;
+        let distance = way.length();
+        let inverse = T::ONE / distance;
+        let (axis, length) = (way * inverse, distance + ends.radius);
+        Self { apex, spread: T::ZERO, axis, length, ..Self::wide(ends.radius * inverse) }
+    }
+
+    /// A cone of this sine; one that is not below 1, or no number, says nothing.
+    #[inline(always)]
+    fn wide(sine: T) -> Self {
         // Unit vectors and their products are right to a few units in the last place of 1.
         let slack = T::from_u32(16) * T::ULP;
-        let sine = greatest(&squared_sines).sqrt() + slack;
-        let cosine = (T::ONE - sine * sine).at_least(T::ZERO).sqrt() - slack;
-        Self { apex, spread: T::ZERO, axis, cosine, sine, length }
+        let sine = sine + slack;
+        let squared_cosine = (T::ONE - sine * sine) - T::TWO * slack;
+        let nowhere = Vector::new(T::ZERO, T::ZERO, T::ZERO);
+        Self { apex: nowhere, spread: T::ZERO, axis: nowhere, sine, squared_cosine, length: T::ZERO }
     }
 }

@@ -1,11 +1,11 @@
 //! The nearest surface along each ray of a packet.
 
-use crate::geometry::{Convex, Crossing, Ray, Real, Straight};
+use crate::geometry::{Convex, Crossing, Meeting, Ray, Real, Straight};
 use crate::trace::closest::comes_first;
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
-use super::bounds::Candidates;
-use super::lanes::{LANES, Lanes, OUTWARD, RayLanes};
+use super::bounds::{Candidates, Rows};
+use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, Reach};
 use super::trees::{Scratch, search_tree};
 
 /// What each ray met.
@@ -15,28 +15,47 @@ pub(super) struct HitLanes<T> {
     pub(super) t: Lanes<T>,
     /// Packed name of the object, or nobody's.
     pub(super) name: Lanes<u32>,
-    /// The face by which a ray leaves the object that it started into, or [`OUTWARD`].
-    pub(super) exit: Lanes<u32>,
+    /// Which face, see [`FaceCode`].
+    pub(super) face: Lanes<u32>,
+}
+
+/// A face and the side that a ray comes from, in one number.
+pub(super) struct FaceCode;
+
+impl FaceCode {
+    /// Above every face.
+    const INSIDE: u32 = 8;
+
+    #[inline(always)]
+    pub(super) fn of<T: Real>(meeting: &Meeting<T>) -> u32 {
+        meeting.face | if meeting.inside { Self::INSIDE } else { 0 }
+    }
+
+    #[inline(always)]
+    pub(super) fn meeting<T: Real>(code: u32, t: T) -> Meeting<T> {
+        Meeting { t, face: code & (Self::INSIDE - 1), inside: code & Self::INSIDE != 0 }
+    }
 }
 
 /// [`closest_hit`](crate::trace::closest_hit) for every lane.
 #[inline(always)]
 pub(super) fn closest<T: Real>(
     tables: &SceneTables<T>,
-    rays: &RayLanes<T>,
+    rays: &RayLanes<'_, T>,
+    reach: &Reach<T>,
     candidates: &Candidates,
     scratch: &mut Scratch<T>,
 ) -> HitLanes<T> {
-    let mut hits = HitLanes { t: rays.reach, name: [ObjectId::NOBODY; LANES], exit: [OUTWARD; LANES] };
+    let mut hits = HitLanes { t: *reach, name: [ObjectId::NOBODY; LANES], face: [0; LANES] };
     search(tables, &tables.spheres, candidates.of(Kind::Sphere), rays, &mut hits);
     search(tables, &tables.cubes, candidates.of(Kind::Cube), rays, &mut hits);
     search(tables, &tables.pyramids, candidates.of(Kind::Pyramid), rays, &mut hits);
     search(tables, &tables.boards, candidates.of(Kind::Board), rays, &mut hits);
     let trees = &tables.trees;
-    search_tree(tables, Kind::Sphere, trees.spheres.as_deref(), rays, &mut hits, scratch);
-    search_tree(tables, Kind::Cube, trees.cubes.as_deref(), rays, &mut hits, scratch);
-    search_tree(tables, Kind::Pyramid, trees.pyramids.as_deref(), rays, &mut hits, scratch);
-    if rays.any_inward {
+    search_tree(tables, &tables.spheres, trees.spheres.as_deref(), rays, &mut hits, scratch);
+    search_tree(tables, &tables.cubes, trees.cubes.as_deref(), rays, &mut hits, scratch);
+    search_tree(tables, &tables.pyramids, trees.pyramids.as_deref(), rays, &mut hits, scratch);
+    if rays.start.any_inward {
         leave(tables, rays, &mut hits);
     }
     hits
@@ -46,12 +65,15 @@ pub(super) fn closest<T: Real>(
 fn search<T: Real, C>(
     tables: &SceneTables<T>,
     table: &ShapeTable<T, C>,
-    rows: impl Iterator<Item = u32>,
-    rays: &RayLanes<T>,
+    rows: Rows,
+    rays: &RayLanes<'_, T>,
     hits: &mut HitLanes<T>,
 ) where
     C: ShapeColumns<T, Shape: Straight<T>>,
 {
+    if rows.is_empty() {
+        return;
+    }
     for row in rows {
         let shape = table.shapes.shape(row as usize);
         let mut worthwhile = false;
@@ -69,17 +91,19 @@ fn test<T: Real>(
     tables: &SceneTables<T>,
     shape: &impl Straight<T>,
     name: u32,
-    rays: &RayLanes<T>,
+    rays: &RayLanes<'_, T>,
     hits: &mut HitLanes<T>,
 ) {
     let mut any_tie = false;
     for lane in 0..LANES {
-        let t = shape.meet(&rays.get(lane)).t;
-        let counts = rays.departed[lane] != name;
+        let met = shape.meet(&rays.get(lane));
+        let t = met.t;
+        let counts = rays.start.departed[lane] != name;
         let nearer = counts & (t < hits.t[lane]);
         any_tie |= counts & (t == hits.t[lane]);
         hits.t[lane] = if nearer { t } else { hits.t[lane] };
         hits.name[lane] = if nearer { name } else { hits.name[lane] };
+        hits.face[lane] = if nearer { FaceCode::of(&met) } else { hits.face[lane] };
     }
     if any_tie {
         settle_ties(tables, shape, name, rays, hits);
@@ -93,13 +117,15 @@ fn settle_ties<T: Real>(
     tables: &SceneTables<T>,
     shape: &impl Straight<T>,
     name: u32,
-    rays: &RayLanes<T>,
+    rays: &RayLanes<'_, T>,
     hits: &mut HitLanes<T>,
 ) {
     for lane in 0..LANES {
-        let is_tie = rays.departed[lane] != name && shape.meet(&rays.get(lane)).t == hits.t[lane];
+        let met = shape.meet(&rays.get(lane));
+        let is_tie = rays.start.departed[lane] != name && met.t == hits.t[lane];
         if is_tie && comes_first(tables, name, hits.name[lane]) {
             hits.name[lane] = name;
+            hits.face[lane] = FaceCode::of(&met);
         }
     }
 }
@@ -110,12 +136,12 @@ fn settle_ties<T: Real>(
 fn leave<T: Real>(tables: &SceneTables<T>, rays: &RayLanes<T>, hits: &mut HitLanes<T>) {
     for lane in 0..LANES {
         let Some(crossing) = exit_of(tables, rays, lane) else { continue };
-        let name = rays.departed[lane];
+        let name = rays.start.departed[lane];
         let is_tie = crossing.t == hits.t[lane];
         if crossing.t < hits.t[lane] || (is_tie && comes_first(tables, name, hits.name[lane])) {
             hits.t[lane] = crossing.t;
             hits.name[lane] = name;
-            hits.exit[lane] = crossing.face.into();
+            hits.face[lane] = FaceCode::of(&Meeting::from(crossing));
         }
     }
 }
@@ -123,14 +149,14 @@ fn leave<T: Real>(tables: &SceneTables<T>, rays: &RayLanes<T>, hits: &mut HitLan
 /// Where the ray of a lane leaves the object that it started into, if it did.
 pub(super) fn exit_of<T: Real>(
     tables: &SceneTables<T>,
-    rays: &RayLanes<T>,
+    rays: &RayLanes<'_, T>,
     lane: usize,
 ) -> Option<Crossing<T>> {
-    let name = rays.departed[lane];
-    if name == ObjectId::NOBODY || rays.face[lane] == OUTWARD {
+    let (name, face) = (rays.start.departed[lane], rays.start.face[lane]);
+    if name == ObjectId::NOBODY || face == OUTWARD {
         return None;
     }
-    let face = u8::try_from(rays.face[lane]).unwrap_or(0);
+    let face = u8::try_from(face).unwrap_or(0);
     Some(exit(tables, ObjectId::unpacked(name), &rays.get(lane), face))
 }
 

@@ -69,13 +69,10 @@ impl<T: Real> VectorLanes<T> {
     }
 }
 
-/// Rays, with what each may meet.
+/// Where rays start.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RayLanes<T> {
-    pub(super) origin: VectorLanes<T>,
-    pub(super) direction: VectorLanes<T>,
-    /// How far a crossing counts; below 0 in idle lanes.
-    pub(super) reach: Lanes<T>,
+pub(super) struct StartLanes<T> {
+    pub(super) point: VectorLanes<T>,
     /// Packed name of the object that the ray leaves, or nobody's.
     pub(super) departed: Lanes<u32>,
     /// The face that it leaves into its object, or [`OUTWARD`].
@@ -87,30 +84,71 @@ pub(super) struct RayLanes<T> {
 /// In place of a face: the ray does not go into an object.
 pub(super) const OUTWARD: u32 = u32::MAX;
 
-impl<T: Real> RayLanes<T> {
-    /// Idle rays.
+impl<T: Real> StartLanes<T> {
+    /// In open space.
     #[inline(always)]
-    pub(super) fn idle() -> Self {
+    pub(super) fn free() -> Self {
         Self {
-            origin: VectorLanes::zero(),
-            direction: VectorLanes::zero(),
-            reach: [-T::INFINITY; LANES],
+            point: VectorLanes::zero(),
             departed: [ObjectId::NOBODY; LANES],
             face: [OUTWARD; LANES],
             any_inward: false,
         }
     }
+}
 
+/// Rays, with what each may meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RayLanes<'a, T> {
+    pub(super) start: &'a StartLanes<T>,
+    pub(super) direction: &'a VectorLanes<T>,
+}
+
+impl<T: Real> RayLanes<'_, T> {
     #[inline(always)]
     pub(super) fn get(&self, lane: usize) -> Ray<T> {
-        Ray { origin: self.origin.get(lane), direction: self.direction.get(lane) }
+        Ray { origin: self.start.point.get(lane), direction: self.direction.get(lane) }
+    }
+}
+
+/// How far crossings count; below 0 in idle lanes.
+pub(super) type Reach<T> = Lanes<T>;
+
+/// The reach of an idle lane.
+#[inline(always)]
+pub(super) fn nowhere<T: Real>() -> T {
+    -T::INFINITY
+}
+
+/// Lanes counted one by one, again and again: a vector addition each time, and one sum in the end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LaneCounts(Lanes<u32>);
+
+impl LaneCounts {
+    pub(super) const NONE: Self = Self([0; LANES]);
+
+    /// Counts the lanes that are not idle.
+    #[inline(always)]
+    pub(super) fn add<T: Real>(&mut self, reach: &Reach<T>) {
+        for lane in 0..LANES {
+            self.0[lane] += u32::from(reach[lane] >= T::ZERO);
+        }
     }
 
-    /// The lanes that are at work, one bit each.
     #[inline(always)]
-    pub(super) fn active(&self) -> u32 {
-        mask(|lane| self.reach[lane] >= T::ZERO)
+    pub(super) fn sum(&self) -> u64 {
+        self.0.iter().map(|&count| u64::from(count)).sum()
     }
+}
+
+/// Whether something is true of any lane.
+#[inline(always)]
+pub(super) fn any(is_true: impl Fn(usize) -> bool) -> bool {
+    let mut any = false;
+    for lane in 0..LANES {
+        any |= is_true(lane);
+    }
+    any
 }
 
 /// The lanes of which something is true, one bit each.
@@ -129,4 +167,12 @@ pub(super) fn greatest<T: Real>(values: &Lanes<T>) -> T {
     let eight: [T; 8] = core::array::from_fn(|lane| values[lane].at_least(values[lane + 8]));
     let four: [T; 4] = core::array::from_fn(|lane| eight[lane].at_least(eight[lane + 4]));
     four[0].at_least(four[2]).at_least(four[1].at_least(four[3]))
+}
+
+/// The least of all lanes.
+#[inline(always)]
+pub(super) fn least(values: &Lanes<u32>) -> u32 {
+    let eight: [u32; 8] = core::array::from_fn(|lane| values[lane].min(values[lane + 8]));
+    let four: [u32; 4] = core::array::from_fn(|lane| eight[lane].min(eight[lane + 4]));
+    four[0].min(four[2]).min(four[1].min(four[3]))
 }

@@ -3,31 +3,32 @@
 use crate::geometry::{Real, Straight};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
-use super::bounds::Candidates;
+use super::bounds::{Candidates, Rows};
 use super::closest::exit_of;
-use super::lanes::{LANES, RayLanes};
+use super::lanes::{LANES, RayLanes, Reach, nowhere};
 use super::trees::{Scratch, block_tree};
 
 /// [`is_occluded`](crate::trace::is_occluded) for every lane: those that are become idle.
 #[inline(always)]
 pub(super) fn occlude<T: Real>(
     tables: &SceneTables<T>,
-    segments: &mut RayLanes<T>,
+    segments: &RayLanes<'_, T>,
+    reach: &mut Reach<T>,
     candidates: &Candidates,
     light: usize,
     scratch: &mut Scratch<T>,
 ) {
-    if segments.any_inward {
-        leave(tables, segments);
+    if segments.start.any_inward {
+        leave(tables, segments, reach);
     }
-    let goes_on = block(&tables.spheres, candidates.of(Kind::Sphere), segments)
-        && block(&tables.cubes, candidates.of(Kind::Cube), segments)
-        && block(&tables.pyramids, candidates.of(Kind::Pyramid), segments);
-    if goes_on && block(&tables.boards, candidates.of(Kind::Board), segments) {
+    let goes_on = block(&tables.spheres, candidates.of(Kind::Sphere), segments, reach)
+        && block(&tables.cubes, candidates.of(Kind::Cube), segments, reach)
+        && block(&tables.pyramids, candidates.of(Kind::Pyramid), segments, reach);
+    if goes_on && block(&tables.boards, candidates.of(Kind::Board), segments, reach) {
         let trees = &tables.trees;
-        block_tree(&tables.spheres, trees.spheres.as_deref(), segments, light, scratch);
-        block_tree(&tables.cubes, trees.cubes.as_deref(), segments, light, scratch);
-        block_tree(&tables.pyramids, trees.pyramids.as_deref(), segments, light, scratch);
+        block_tree(&tables.spheres, trees.spheres.as_deref(), segments, reach, light, scratch);
+        block_tree(&tables.cubes, trees.cubes.as_deref(), segments, reach, light, scratch);
+        block_tree(&tables.pyramids, trees.pyramids.as_deref(), segments, reach, light, scratch);
     }
 }
 
@@ -35,19 +36,23 @@ pub(super) fn occlude<T: Real>(
 #[inline(always)]
 fn block<T: Real, C>(
     table: &ShapeTable<T, C>,
-    rows: impl Iterator<Item = u32>,
-    segments: &mut RayLanes<T>,
+    rows: Rows,
+    segments: &RayLanes<'_, T>,
+    reach: &mut Reach<T>,
 ) -> bool
 where
     C: ShapeColumns<T, Shape: Straight<T>>,
 {
+    if rows.is_empty() {
+        return true;
+    }
     for row in rows {
         let shape = table.shapes.shape(row as usize);
         let mut worthwhile = false;
         for lane in 0..LANES {
-            worthwhile |= (segments.reach[lane] > T::ZERO) & shape.may_meet(&segments.get(lane));
+            worthwhile |= (reach[lane] > T::ZERO) & shape.may_meet(&segments.get(lane));
         }
-        if worthwhile && !test(&shape, ObjectId::packed(C::KIND, row), segments) {
+        if worthwhile && !test(&shape, ObjectId::packed(C::KIND, row), segments, reach) {
             return false;
         }
     }
@@ -55,24 +60,28 @@ where
 }
 
 #[inline(always)]
-fn test<T: Real>(shape: &impl Straight<T>, name: u32, segments: &mut RayLanes<T>) -> bool {
+fn test<T: Real>(
+    shape: &impl Straight<T>,
+    name: u32,
+    segments: &RayLanes<'_, T>,
+    reach: &mut Reach<T>,
+) -> bool {
     let mut any_left = false;
     for lane in 0..LANES {
         let t = shape.meet(&segments.get(lane)).t;
-        let blocks = (segments.departed[lane] != name) & (t < segments.reach[lane]);
-        let reach = if blocks { -T::INFINITY } else { segments.reach[lane] };
-        segments.reach[lane] = reach;
-        any_left |= reach > T::ZERO;
+        let blocks = (segments.start.departed[lane] != name) & (t < reach[lane]);
+        reach[lane] = if blocks { nowhere() } else { reach[lane] };
+        any_left |= reach[lane] > T::ZERO;
     }
     any_left
 }
 
 #[cold]
 #[inline(never)]
-fn leave<T: Real>(tables: &SceneTables<T>, segments: &mut RayLanes<T>) {
+fn leave<T: Real>(tables: &SceneTables<T>, segments: &RayLanes<'_, T>, reach: &mut Reach<T>) {
     for lane in 0..LANES {
-        if exit_of(tables, segments, lane).is_some_and(|crossing| crossing.t < segments.reach[lane]) {
-            segments.reach[lane] = -T::INFINITY;
+        if exit_of(tables, segments, lane).is_some_and(|crossing| crossing.t < reach[lane]) {
+            reach[lane] = nowhere();
         }
     }
 }

@@ -1,13 +1,14 @@
 //! The recursion, for a packet.
 
-use crate::effects::reflect_long;
+use crate::effects::{Effect, reflect_long};
 use crate::geometry::Real;
 use crate::trace::{Counts, ObjectId, SceneTables};
 
-use super::bounds::{Bounds, Candidates};
-use super::bundle::Bundle;
+use super::bounds::Bounds;
+use super::bundle::{Bundle, Cluster};
 use super::closest::closest;
-use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, VectorLanes, mask};
+use super::has;
+use super::lanes::{LANES, LaneCounts, Lanes, RayLanes, Reach, StartLanes, VectorLanes, any, nowhere};
 use super::lights::{LightLanes, Lighting};
 use super::surface::{SurfaceLanes, gather};
 use super::trees::Scratch;
@@ -19,112 +20,107 @@ pub(super) struct Paths<'a, T: Real> {
     pub(super) level: u32,
 }
 
+/// Rays that a packet sends out.
+pub(super) struct Departing<T> {
+    pub(super) start: StartLanes<T>,
+    /// Of length 1.
+    pub(super) direction: VectorLanes<T>,
+    pub(super) reach: Reach<T>,
+}
+
 impl<T: Real> Paths<'_, T> {
     /// [`radiance`](crate::trace::radiance()) of every active lane; red, green, blue as x, y, z.
     #[inline(always)]
-    pub(super) fn radiance(
+    pub(super) fn radiance<const EFFECTS: u32>(
         &self,
-        start: &RayLanes<T>,
+        departing: Departing<T>,
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
     ) -> VectorLanes<T> {
         let mut sum = VectorLanes::zero();
         let mut weight = [T::ONE; LANES];
-        let mut rays = *start;
+        let Departing { mut start, mut direction, mut reach } = departing;
+        let mut cluster = Cluster::of(&start.point, &reach);
+        let (mut shadow_rays, mut mirror_rays) = (LaneCounts::NONE, LaneCounts::NONE);
         for remaining in (0..self.level).rev() {
-            let hits = closest(self.tables, &rays, &self.candidates(&rays), scratch);
-            let active = mask(|lane| hits.name[lane] != ObjectId::NOBODY);
-            if active == 0 {
+            // 1. What the rays meet. A lane that meets nothing has nothing more to do.
+            let candidates = self.bounds.near(&Bundle::of_rays(&cluster, &direction, &reach));
+            let rays = RayLanes { start: &start, direction: &direction };
+            let hits = closest(self.tables, &rays, &reach, &candidates, scratch);
+            if !any(|lane| hits.name[lane] != ObjectId::NOBODY) {
                 break;
             }
-            let surface = gather(self.tables, &rays, &hits, active);
+            let surface = gather::<T, EFFECTS>(self.tables, &rays, &hits);
+            // 2. Where the rays go on, for mirrors and for highlights.
             let goes_on = surface.any_mirror && remaining > 0;
-            rays = leave(&rays, &hits.name, &surface, active, surface.any_gloss || goes_on);
+            if surface.any_gloss || goes_on {
+                reflect_all(&mut direction, &surface.normal);
+            }
+            for lane in 0..LANES {
+                let is_active = hits.name[lane] != ObjectId::NOBODY;
+                reach[lane] = if is_active { T::INFINITY } else { nowhere() };
+            }
+            cluster = Cluster::of(&surface.start.point, &reach);
+            // 3. The light there.
             let lighting = Lighting {
                 tables: self.tables,
                 bounds: self.bounds,
                 surface: &surface,
-                leaving: &rays,
-                active,
+                cluster: &cluster,
+                mirrored: &direction,
             };
-            let (light, shadow_rays) = lighting.gather(scratch);
-            counts.rays.shadow += u64::from(shadow_rays);
-            add(&mut sum, &surface, &light, &weight, active);
-            if !goes_on {
+            let light = lighting.gather::<EFFECTS>(&mut shadow_rays, scratch);
+            add::<T, EFFECTS>(&mut sum, &surface, &light, &weight);
+            if !(has::<EFFECTS>(Effect::Mirror) && goes_on) {
                 break;
             }
-            let mirror_rays = reflect_on(&mut rays, &mut weight, &surface, active);
-            if mirror_rays == 0 {
+            // 4. The next rays.
+            reflect_on(&mut reach, &mut weight, &surface);
+            if !any(|lane| reach[lane] >= T::ZERO) {
                 break;
             }
-            counts.rays.mirror += u64::from(mirror_rays);
+            mirror_rays.add(&reach);
+            start = surface.start;
         }
+        counts.rays.shadow += shadow_rays.sum();
+        counts.rays.mirror += mirror_rays.sum();
         sum
     }
+}
 
-    #[inline(always)]
-    fn candidates(&self, rays: &RayLanes<T>) -> Candidates {
-        let first = rays.active().trailing_zeros() as usize % LANES;
-        let (mut origin, mut direction) = (rays.origin, rays.direction);
-        let (first_origin, first_direction) = (rays.origin.get(first), rays.direction.get(first));
-        for lane in 0..LANES {
-            let is_idle = rays.reach[lane] < T::ZERO;
-            origin.set_if(is_idle, lane, first_origin);
-            direction.set_if(is_idle, lane, first_direction);
-        }
-        self.bounds.near(&Bundle::of_rays(&origin, &direction))
+/// Turns every lane's ray at its surface.
+#[inline(always)]
+fn reflect_all<T: Real>(direction: &mut VectorLanes<T>, normal: &VectorLanes<T>) {
+    for lane in 0..LANES {
+        direction.set(lane, reflect_long(direction.get(lane), normal.get(lane)));
     }
 }
 
-/// The rays that go on from surface points, along the mirrored direction if anyone needs it.
+/// Adds the light that the surfaces send back by themselves; those of idle lanes send none.
 #[inline(always)]
-fn leave<T: Real>(
-    rays: &RayLanes<T>,
-    names: &Lanes<u32>,
-    surface: &SurfaceLanes<T>,
-    active: u32,
-    mirrored: bool,
-) -> RayLanes<T> {
-    let mut leaving = RayLanes { origin: surface.point, departed: *names, face: surface.face, ..*rays };
-    leaving.any_inward = mask(|lane| surface.face[lane] != OUTWARD) & active != 0;
-    if mirrored {
-        for lane in 0..LANES {
-            let direction = reflect_long(rays.direction.get(lane), surface.normal.get(lane));
-            leaving.direction.set(lane, direction);
-        }
-    }
-    leaving
-}
-
-/// Adds the light that the surfaces send back by themselves.
-#[inline(always)]
-fn add<T: Real>(
+fn add<T: Real, const EFFECTS: u32>(
     sum: &mut VectorLanes<T>,
     surface: &SurfaceLanes<T>,
     light: &LightLanes<T>,
     weight: &Lanes<T>,
-    active: u32,
 ) {
     for lane in 0..LANES {
-        let diffuse = surface.ambient[lane] + surface.diffuse[lane] * light.lambert[lane];
-        let share = diffuse + surface.specular[lane] * light.phong[lane];
+        let mut share = surface.ambient[lane] + surface.diffuse[lane] * light.lambert[lane];
+        if has::<EFFECTS>(Effect::Gloss) {
+            share += surface.specular[lane] * light.phong[lane];
+        }
         let more = sum.get(lane) + (surface.color.get(lane) * share) * weight[lane];
-        sum.set_if((active >> lane) & 1 == 1, lane, more);
+        let is_active = surface.start.departed[lane] != ObjectId::NOBODY;
+        sum.set_if(is_active, lane, more);
     }
 }
 
-/// Sends the lanes on that met a mirror, and counts them.
+/// Sends the lanes on that met a mirror.
 #[inline(always)]
-fn reflect_on<T: Real>(
-    rays: &mut RayLanes<T>,
-    weight: &mut Lanes<T>,
-    surface: &SurfaceLanes<T>,
-    active: u32,
-) -> u32 {
+fn reflect_on<T: Real>(reach: &mut Reach<T>, weight: &mut Lanes<T>, surface: &SurfaceLanes<T>) {
     for lane in 0..LANES {
         weight[lane] *= surface.reflectance[lane];
-        let goes_on = ((active >> lane) & 1 == 1) & (weight[lane] > T::ZERO);
-        rays.reach[lane] = if goes_on { T::INFINITY } else { -T::INFINITY };
+        let goes_on = (reach[lane] >= T::ZERO) & (weight[lane] > T::ZERO);
+        reach[lane] = if goes_on { T::INFINITY } else { nowhere() };
     }
-    rays.active().count_ones()
 }

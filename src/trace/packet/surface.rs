@@ -1,23 +1,23 @@
 //! Where the rays of a packet met their objects, and what the surfaces are like there.
 
-use crate::effects::cell_point;
-use crate::geometry::{Meeting, Real, Straight, Vector};
+use crate::effects::{Effect, cell_point};
+use crate::geometry::{Real, Straight, Vector};
 use crate::trace::shade::own_color;
 use crate::trace::{
     BoardColumns, Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable, SurfaceRow, SurfaceTable,
 };
 
-use super::closest::HitLanes;
-use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, VectorLanes, mask};
+use super::closest::{FaceCode, HitLanes};
+use super::has;
+use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, StartLanes, VectorLanes, any, least};
 
 /// Surface points. An effect that a surface does not have counts 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SurfaceLanes<T> {
-    pub(super) point: VectorLanes<T>,
-    /// On the side that the ray came from.
+    /// How rays leave, on the side that they came from.
+    pub(super) start: StartLanes<T>,
+    /// On that side.
     pub(super) normal: VectorLanes<T>,
-    /// How a ray leaves on that side: the face that it leaves into the object, or [`OUTWARD`].
-    pub(super) face: Lanes<u32>,
     /// Red, green, blue as x, y, z.
     pub(super) color: VectorLanes<T>,
     pub(super) ambient: Lanes<T>,
@@ -31,17 +31,15 @@ pub(super) struct SurfaceLanes<T> {
 
 /// What the active lanes met, one object after the other.
 #[inline(always)]
-pub(super) fn gather<T: Real>(
+pub(super) fn gather<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
-    rays: &RayLanes<T>,
+    rays: &RayLanes<'_, T>,
     hits: &HitLanes<T>,
-    active: u32,
 ) -> SurfaceLanes<T> {
     let zero = [T::ZERO; LANES];
     let mut found = SurfaceLanes {
-        point: VectorLanes::zero(),
+        start: StartLanes { departed: hits.name, ..StartLanes::free() },
         normal: VectorLanes::zero(),
-        face: [OUTWARD; LANES],
         color: VectorLanes::zero(),
         ambient: zero,
         diffuse: zero,
@@ -51,107 +49,113 @@ pub(super) fn gather<T: Real>(
         any_gloss: false,
         any_mirror: false,
     };
-    let mut left = active;
-    while left != 0 {
-        let name = hits.name[left.trailing_zeros() as usize];
-        left &= !mask(|lane| hits.name[lane] == name);
+    let mut left = hits.name;
+    loop {
+        let name = least(&left);
+        if name == ObjectId::NOBODY {
+            break;
+        }
+        for lane in 0..LANES {
+            left[lane] = if left[lane] == name { ObjectId::NOBODY } else { left[lane] };
+        }
         let ObjectId { kind, row } = ObjectId::unpacked(name);
         match kind {
-            Kind::Sphere => found.add(&tables.spheres, row, name, rays, hits),
-            Kind::Cube => found.add(&tables.cubes, row, name, rays, hits),
-            Kind::Pyramid => found.add(&tables.pyramids, row, name, rays, hits),
+            Kind::Sphere => found.add::<_, EFFECTS>(&tables.spheres, row, name, rays, hits),
+            Kind::Cube => found.add::<_, EFFECTS>(&tables.cubes, row, name, rays, hits),
+            Kind::Pyramid => found.add::<_, EFFECTS>(&tables.pyramids, row, name, rays, hits),
             Kind::Board => {
-                found.add(&tables.boards, row, name, rays, hits);
-                found.paint(tables, row, name, hits);
+                found.add::<_, EFFECTS>(&tables.boards, row, name, rays, hits);
+                found.paint::<EFFECTS>(tables, row, name);
             }
         }
     }
+    found.start.any_inward = any(|lane| found.start.face[lane] != OUTWARD);
     found
 }
 
 impl<T: Real> SurfaceLanes<T> {
     /// The lanes that met one object.
     #[inline(always)]
-    fn add<C>(
+    fn add<C, const EFFECTS: u32>(
         &mut self,
         table: &ShapeTable<T, C>,
         row: u32,
         name: u32,
-        rays: &RayLanes<T>,
+        rays: &RayLanes<'_, T>,
         hits: &HitLanes<T>,
     ) where
         C: ShapeColumns<T, Shape: Straight<T>>,
     {
         self.locate(&table.shapes.shape(row as usize), name, rays, hits);
-        self.coat(&table.surfaces, row, name, hits);
+        self.coat::<EFFECTS>(&table.surfaces, row, name);
     }
 
     #[inline(always)]
-    fn locate(&mut self, shape: &impl Straight<T>, name: u32, rays: &RayLanes<T>, hits: &HitLanes<T>) {
+    fn locate(&mut self, shape: &impl Straight<T>, name: u32, rays: &RayLanes<'_, T>, hits: &HitLanes<T>) {
         for lane in 0..LANES {
-            let ray = rays.get(lane);
-            let met = shape.meet(&ray);
-            let exits = hits.exit[lane] != OUTWARD;
-            let face = if exits { hits.exit[lane] } else { met.face };
-            let inside = exits | met.inside;
-            let at = shape.surface(&ray, &Meeting { t: hits.t[lane], face, inside });
+            let met = FaceCode::meeting(hits.face[lane], hits.t[lane]);
+            let at = shape.surface(&rays.get(lane), &met);
             let turned = -at.normal;
             let normal = Vector::new(
-                if inside { turned.x } else { at.normal.x },
-                if inside { turned.y } else { at.normal.y },
-                if inside { turned.z } else { at.normal.z },
+                if met.inside { turned.x } else { at.normal.x },
+                if met.inside { turned.y } else { at.normal.y },
+                if met.inside { turned.z } else { at.normal.z },
             );
             let own = hits.name[lane] == name;
-            self.point.set_if(own, lane, at.point);
+            self.start.point.set_if(own, lane, at.point);
             self.normal.set_if(own, lane, normal);
-            self.face[lane] = if own & inside { face } else { self.face[lane] };
+            self.start.face[lane] = if own & met.inside { met.face } else { self.start.face[lane] };
         }
     }
 
     #[inline(always)]
-    fn coat(&mut self, surfaces: &SurfaceTable<T>, row: u32, name: u32, hits: &HitLanes<T>) {
+    fn coat<const EFFECTS: u32>(&mut self, surfaces: &SurfaceTable<T>, row: u32, name: u32) {
         let SurfaceRow { color, ambient, diffuse, gloss, mirror, .. } = surfaces.row(row as usize);
         let color = Vector::new(color.r, color.g, color.b);
         let (specular, shininess) =
             gloss.map_or((T::ZERO, T::ZERO), |gloss| (gloss.specular, gloss.shininess));
         let reflectance = mirror.unwrap_or(T::ZERO);
-        self.any_gloss |= gloss.is_some();
-        self.any_mirror |= mirror.is_some();
+        self.any_gloss |= has::<EFFECTS>(Effect::Gloss) && gloss.is_some();
+        self.any_mirror |= has::<EFFECTS>(Effect::Mirror) && mirror.is_some();
         for lane in 0..LANES {
-            let own = hits.name[lane] == name;
+            let own = self.start.departed[lane] == name;
             self.color.set_if(own, lane, color);
             self.ambient[lane] = if own { ambient } else { self.ambient[lane] };
             self.diffuse[lane] = if own { diffuse } else { self.diffuse[lane] };
-            self.specular[lane] = if own { specular } else { self.specular[lane] };
-            self.shininess[lane] = if own { shininess } else { self.shininess[lane] };
-            self.reflectance[lane] = if own { reflectance } else { self.reflectance[lane] };
+            if has::<EFFECTS>(Effect::Gloss) {
+                self.specular[lane] = if own { specular } else { self.specular[lane] };
+                self.shininess[lane] = if own { shininess } else { self.shininess[lane] };
+            }
+            if has::<EFFECTS>(Effect::Mirror) {
+                self.reflectance[lane] = if own { reflectance } else { self.reflectance[lane] };
+            }
         }
     }
 
     /// The pattern of a checkerboard.
     #[inline(always)]
-    fn paint(&mut self, tables: &SceneTables<T>, row: u32, name: u32, hits: &HitLanes<T>) {
+    fn paint<const EFFECTS: u32>(&mut self, tables: &SceneTables<T>, row: u32, name: u32) {
         let boards: &BoardColumns<T> = &tables.boards.shapes;
-        if boards.textures.get(row as usize).is_some() {
-            return self.paint_texture(tables, row, name, hits);
+        if has::<EFFECTS>(Effect::Texture) && boards.textures.get(row as usize).is_some() {
+            return self.paint_texture(tables, row, name);
         }
         let (origin, width) = boards.pattern(row as usize);
         for lane in 0..LANES {
-            let point = self.point.get(lane);
+            let point = self.start.point.get(lane);
             let white = cell_point(point.x - origin.x, point.y - origin.y, width).white;
-            let black = (hits.name[lane] == name) & !white;
+            let black = (self.start.departed[lane] == name) & !white;
             self.color.set_if(black, lane, Vector::new(T::ZERO, T::ZERO, T::ZERO));
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn paint_texture(&mut self, tables: &SceneTables<T>, row: u32, name: u32, hits: &HitLanes<T>) {
+    fn paint_texture(&mut self, tables: &SceneTables<T>, row: u32, name: u32) {
         let plain = tables.boards.surfaces.row(row as usize).color;
         for lane in 0..LANES {
-            if hits.name[lane] == name {
+            if self.start.departed[lane] == name {
                 let color =
-                    own_color(tables, ObjectId { kind: Kind::Board, row }, plain, self.point.get(lane));
+                    own_color(tables, ObjectId { kind: Kind::Board, row }, plain, self.start.point.get(lane));
                 self.color.set(lane, Vector::new(color.r, color.g, color.b));
             }
         }

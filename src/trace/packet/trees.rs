@@ -4,8 +4,8 @@ use crate::geometry::{Ray, Real, Straight as _};
 use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, Stack, Tree, TreeRay};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
-use super::closest::HitLanes;
-use super::lanes::{LANES, RayLanes};
+use super::closest::{FaceCode, HitLanes};
+use super::lanes::{LANES, RayLanes, Reach, nowhere};
 
 /// What searches need room for, kept from one to the next.
 pub(in crate::trace) struct Scratch<T> {
@@ -25,23 +25,31 @@ impl<T: Real> Scratch<T> {
 
 /// Searches the tree of one kind for every lane.
 #[inline(always)]
-pub(super) fn search_tree<T: Real, S: Packed<T>>(
+pub(super) fn search_tree<T: Real, C>(
     tables: &SceneTables<T>,
-    kind: Kind,
-    tree: Option<&Tree<T, S>>,
-    rays: &RayLanes<T>,
+    table: &ShapeTable<T, C>,
+    tree: Option<&Tree<T, C::Shape>>,
+    rays: &RayLanes<'_, T>,
     hits: &mut HitLanes<T>,
     scratch: &mut Scratch<T>,
-) {
+) where
+    C: ShapeColumns<T, Shape: Packed<T>>,
+{
     let Some(tree) = tree else { return };
     for lane in 0..LANES {
-        if rays.reach[lane] >= T::ZERO {
-            let ray = TreeRay::new(rays.get(lane), tree.rounding());
-            let mut nearest = Nearest { tables, kind, t: hits.t[lane], name: hits.name[lane] };
-            let departed = departed_row(rays, lane, kind);
-            tree.search::<true>(&ray, departed, &mut nearest, &mut scratch.stack);
-            hits.t[lane] = nearest.t;
-            hits.name[lane] = nearest.name;
+        // An idle lane's reach is below 0, and so is its t.
+        if hits.t[lane] >= T::ZERO {
+            let ray = rays.get(lane);
+            let tree_ray = TreeRay::new(ray, tree.rounding());
+            let mut nearest = Nearest { tables, kind: C::KIND, t: hits.t[lane], name: hits.name[lane] };
+            let departed = departed_row(rays, lane, C::KIND);
+            tree.search::<true>(&tree_ray, departed, &mut nearest, &mut scratch.stack);
+            if nearest.name != hits.name[lane] {
+                let row = ObjectId::unpacked(nearest.name).row;
+                hits.t[lane] = nearest.t;
+                hits.name[lane] = nearest.name;
+                hits.face[lane] = FaceCode::of(&table.shapes.shape(row as usize).meet(&ray));
+            }
         }
     }
 }
@@ -51,7 +59,8 @@ pub(super) fn search_tree<T: Real, S: Packed<T>>(
 pub(super) fn block_tree<T: Real, C>(
     table: &ShapeTable<T, C>,
     tree: Option<&Tree<T, C::Shape>>,
-    segments: &mut RayLanes<T>,
+    segments: &RayLanes<'_, T>,
+    reach: &mut Reach<T>,
     light: usize,
     scratch: &mut Scratch<T>,
 ) where
@@ -60,11 +69,11 @@ pub(super) fn block_tree<T: Real, C>(
     let Some(tree) = tree else { return };
     let last = &mut scratch.occluders[light % LIGHTS][C::KIND as usize % 3];
     for lane in 0..LANES {
-        if segments.reach[lane] > T::ZERO {
+        if reach[lane] > T::ZERO {
             let segment = segments.get(lane);
             let departed = departed_row(segments, lane, C::KIND);
             if hides::<T, C>(table, *last, departed, &segment) {
-                segments.reach[lane] = -T::INFINITY;
+                reach[lane] = nowhere();
                 continue;
             }
             let mut any = Any { row: NO_ROW, reach: T::ONE };
@@ -72,7 +81,7 @@ pub(super) fn block_tree<T: Real, C>(
             tree.search::<false>(&ray, departed, &mut any, &mut scratch.stack);
             if any.row != NO_ROW {
                 *last = any.row;
-                segments.reach[lane] = -T::INFINITY;
+                reach[lane] = nowhere();
             }
         }
     }
@@ -89,7 +98,7 @@ where
 
 /// The row of one kind that the ray of a lane leaves.
 #[inline(always)]
-fn departed_row<T: Real>(rays: &RayLanes<T>, lane: usize, kind: Kind) -> u32 {
-    let ObjectId { kind: departed, row } = ObjectId::unpacked(rays.departed[lane]);
+fn departed_row<T: Real>(rays: &RayLanes<'_, T>, lane: usize, kind: Kind) -> u32 {
+    let ObjectId { kind: departed, row } = ObjectId::unpacked(rays.start.departed[lane]);
     if departed == kind { row } else { NO_ROW }
 }
