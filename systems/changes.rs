@@ -12,8 +12,9 @@ use crate::components::{
     Absorption, Ambient, AreaLight, Background, CheckerFilter, Color, Diffuse, Directional, Falloff, Fog,
     Glass, Gloss, Light, LightColor, Mirror, Order, Position, SpotCone, TextureFilter, Textured,
 };
+use crate::geometry::Real;
 
-use super::Muted;
+use super::{Muted, Tables};
 
 pub(super) type ObjectChange<S> = Or<(
     Changed<S>,
@@ -140,15 +141,17 @@ pub(super) fn lights_changed(
         | muted.is_changed()
 }
 
-/// Whether background or fog are out of date. What is switched on or off matters only where there is some.
-pub(super) fn air_changed(
+/// Whether background or fog are out of date. While nobody asks for any and none is left in the tables, they are not.
+pub(super) fn air_changed<T: Real>(
     changed: Query<(), AirChange>,
     all: Query<(), Air>,
     mut backgrounds: Living<Background, Background>,
     mut fogs: Living<Fog, Fog>,
-    muted: Res<Muted>,
+    (muted, tables): (Res<Muted>, Res<Tables<T>>),
 ) -> bool {
-    !changed.is_empty() | backgrounds.differ() | fogs.differ() | (muted.is_changed() && !all.is_empty())
+    let is_left_over = all.is_empty() && !tables.scene.air.is_empty();
+    let is_switched = muted.is_changed() && !all.is_empty();
+    !changed.is_empty() | backgrounds.differ() | fogs.differ() | is_left_over | is_switched
 }
 
 /// How many entities of a kind have a component.

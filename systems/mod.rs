@@ -183,7 +183,7 @@ fn add_extract<T: Real>(schedule: &mut Schedule) {
             extract_objects::<T, Pyramid>.run_if(objects_changed::<Pyramid>),
             extract_objects::<T, Checkerboard>.run_if(objects_changed::<Checkerboard>),
             extract_lights::<T>.run_if(lights_changed),
-            extract_air::<T>.run_if(air_changed),
+            extract_air::<T>.run_if(air_changed::<T>),
             extract_camera::<T>,
         )
             .in_set(Stage::Extract),

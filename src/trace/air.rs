@@ -13,6 +13,11 @@ pub struct Air<T> {
 }
 
 impl<T: Real> Air<T> {
+    /// Whether there is neither.
+    pub fn is_empty(&self) -> bool {
+        self.background.is_none() && self.haze.is_none()
+    }
+
     /// The light that arrives from a unit direction in which there is no surface.
     pub(super) fn beyond(&self, direction: Vector<T>) -> Rgb<T> {
         match (&self.haze, &self.background) {

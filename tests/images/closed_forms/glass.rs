@@ -154,7 +154,7 @@ fn what_is_left_falls_exponentially_with_the_way_through_the_body() {
     let absorption = [0.02, 0.1, 0.0];
     for side in [1.0, 7.0, 30.0] {
         let mut world = View { level: 3, ..View::one_ray() }.world();
-        let corner = Position::new(-10.0, 0.0, -10.0);
+        let corner = Position::new(-0.5 * side, 0.0, -0.5 * side);
         world.spawn((Cube { side }, corner, clear(1.0), Absorption(DVec3::from_array(absorption))));
         world.spawn(white_room());
         assert_close(trace::<f64>(&mut world).picture.middle(), absorption.map(|a| (-a * side).exp()));

@@ -102,14 +102,17 @@ fn a_smaller_light_is_more_like_a_point() {
 
 #[test]
 fn samples_of_a_pixel_continue_each_other() {
-    // Four samples a pixel with 64 shadow rays each are as good as 256: they are other points of the light.
+    // Sixteen samples a pixel with 16 shadow rays each are as good as 256: they are other points of the light.
     let error = |grid: u32, samples: u32| {
         let (view, mut world) = penumbra(17, samples);
+        let finer = View { pixels: 17 * grid, ..view };
         world.insert_resource(archetrace::components::Sampling { side: grid });
         let picture = trace::<f64>(&mut world).picture;
         let off = (0_u32..).zip(&picture.pixels).map(|(index, pixel)| {
-            let place = view.on_ground(index % 17, index / 17).unwrap();
-            (pixel[0] - on_paper(place)).powi(2)
+            let (left, top) = (index % 17 * grid, index / 17 * grid);
+            let points = (0..grid * grid).map(|n| finer.on_ground(left + n % grid, top + n / grid).unwrap());
+            let mean = points.map(on_paper).sum::<f64>() / f64::from(grid * grid);
+            (pixel[0] - mean).powi(2)
         });
         (off.sum::<f64>() / (17.0 * 17.0)).sqrt()
     };
