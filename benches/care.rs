@@ -259,6 +259,6 @@ fn faces<T: Real>(pyramid: &PyramidShape<T>) -> [(Vector<T>, Vector<T>); 5] {
 }
 
 fn axis_normal<T: Real>(face: usize) -> Vector<T> {
-    let sign = if face % 2 == 0 { -T::ONE } else { T::ONE };
+    let sign = if face.is_multiple_of(2) { -T::ONE } else { T::ONE };
     Vector::new(T::ZERO, T::ZERO, T::ZERO).with(face / 2, sign)
 }
