@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
 # archetrace beside POV-Ray, tachyon and Embree: the tables of README's "How fast", in interleaved rounds of one run.
 #
-# Usage: benches/peers.sh [s0] [process] [rays] [million] [live]
+# Usage: benches/peers.sh [s0] [process] [rays] [million]
 # All parts unless some are named. ROUNDS=5 says how often, LARGE_ROUNDS=2 for pictures of a million spheres (POV-Ray takes
-# most of a minute for one). LIMIT="COMMAND" names another limit program, which prints milliseconds at the end of its last line.
+# most of a minute for one). LIMIT="COMMAND" names another limit program, which prints lines "cpu_ms NUMBER" and "ms NUMBER".
 #
 #   s0       the picture of benches/s0, 1024 x 1024: tracing alone, beside benches/limit.cpp, too
 #   process  the same from start to file
 #   rays     1e3 to 1e6 spheres: millions of rays a second by kind, beside Embree's fastest way of each round
 #   million  a million spheres: loading, building, memory, one edit (of 1e5), and the whole picture
-#   live     frames a second of the traced view, S0 at 768 x 768
 #
 # Every number is a median with the least and the most in brackets. "times" are ratios within a round: they mean something
 # where milliseconds do not, because other work on the machine slows everybody down. Debian's packages povray, tachyon,
@@ -18,7 +17,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 rounds=${ROUNDS:-5} large_rounds=${LARGE_ROUNDS:-2}
 parts=("$@")
-((${#parts[@]} > 0)) || parts=(s0 process rays million live)
+((${#parts[@]} > 0)) || parts=(s0 process rays million)
 s0=benches/s0
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
@@ -68,65 +67,73 @@ json_number() { sed -n "s/.*\"$1\":\([0-9.e+-]*\).*/\1/p"; }
 
 camera() { cat "$1/scene.cam"; }
 
-# Prints "median (least-most)" of the values of a name, or of their ratios to those of a second name, times a factor.
+# Prints "median (least-most)" of the values of a name, or of their ratios to those of a second name.
 spread() {
-    local name=$1 unit=${2:-1} reference=${3:-}
+    local name=$1 reference=${2:-}
     [[ -e $out/$name.values ]] || { echo "-"; return; }
     if [[ -n $reference ]]; then paste "$out/$name.values" "$out/$reference.values"; else cat "$out/$name.values"; fi |
-        awk -v unit="$unit" '{ print (NF > 1 ? $1 / $2 : $1) * unit }' | sort -g |
-        awk '{ v[NR] = $1 } END { printf "%.3g (%.3g-%.3g)\n", v[int((NR + 1) / 2)], v[1], v[NR] }'
+        awk '{ print (NF > 1 ? $1 / $2 : $1) }' | sort -g |
+        awk 'function short(x) { return sprintf(x < 999.5 ? "%.3g" : "%.0f", x) }
+            { v[NR] = $1 } END { print short(v[int((NR + 1) / 2)]) " (" short(v[1]) "-" short(v[NR]) ")" }'
 }
 
-# A row of a table: a label, a name, and names that it is compared with.
-row() {
-    local label=$1 name=$2 reference
-    shift 2
-    printf '| %s | %s |' "$label" "$(spread "$name")"
-    for reference in "$@"; do printf ' %s |' "$(spread "$name" 1 "$reference")"; done
-    printf '\n'
+# Keeps milliseconds on the wall and of the processors.
+record_both() {
+    record "$1" "$2"
+    record "$1.cpu" "$3"
 }
 
 povray_args() { echo "+I$1/scene.pov +W$2 +H$2 -A +WT2 -D +O$out/p.png"; }
 tachyon_args() { echo "$1/scene.dat -numthreads 2 -res $2 $2 -o $out/t.tga"; }
-# Milliseconds that they say they traced for.
+# Milliseconds that they say they traced for, on the wall and of the processors; tachyon tells the former only.
 povray_trace() {
     # shellcheck disable=SC2046 # words on purpose
-    povray $(povray_args "$1" "$2") 2>&1 | sed -n 's/.*Trace Time:.*(\([0-9.]*\) seconds).*/\1/p' | awk '{ print 1000 * $1 }'
+    povray $(povray_args "$1" "$2") 2>&1 | tr '()' '  ' |
+        awk '/Trace Time:/ { printf "%s ", 1000 * $(NF - 1); getline; for (i = 1; i < NF; i++) if ($i == "with") print 1000 * $(i + 1) }'
 }
 tachyon_trace() {
     # shellcheck disable=SC2046
     tachyon $(tachyon_args "$1" "$2") 2>&1 | tr '\r' '\n' |
         sed -n 's/.*Ray Tracing Time: *\([0-9.]*\) seconds.*/\1/p' | awk '{ print 1000 * $1 }'
 }
+# Those of our traced frame, warm.
+frame_trace() {
+    # shellcheck disable=SC2046
+    "$frame" "$1/scene.txt" $(camera "$1") "${@:2}" >"$out/frame"
+    echo "$(json_number ms_median <"$out/frame") $(json_number cpu_ms_median <"$out/frame")"
+}
+# Those of Embree's fastest way.
+embree_trace() {
+    # shellcheck disable=SC2046
+    "$embree" "$1/scene.txt" $(camera "$1") --repeats 3 |
+        awk '/^frame/ { wall = $2 } /^cpu_frame/ { print wall, $2 }' | sort -g | head -1
+}
 
 # ---- the parts ----
 
+# shellcheck disable=SC2046
 run_s0() {
-    local frame size precision
+    local frame size precision label name
     frame=$(bench_program frame)
     size=$(sed -n 3p $s0/scene.txt)
-    # shellcheck disable=SC2046
     for ((round = 0; round < rounds; round++)); do
         for precision in f32 f64; do
-            record "$precision" "$("$frame" $s0/scene.txt $(camera $s0) --threads 2 --precision $precision | json_number ms_median)"
-            record "$precision.one" \
-                "$("$frame" $s0/scene.txt $(camera $s0) --threads 1 --precision $precision | json_number ms_median)"
+            record_both $precision $(frame_trace $s0 --threads 2 --precision $precision)
+            record_both $precision.one $(frame_trace $s0 --threads 1 --precision $precision)
         done
-        record embree "$("$embree" $s0/scene.txt $(camera $s0) --repeats 3 | awk '/^frame/ { print $2 }' | sort -g | head -1)"
-        record limit "$($limit | tail -1 | awk '{ print $NF }')"
+        record_both limit $($limit | awk '/^cpu_ms/ { cpu = $2 } /^ms/ { wall = $2 } END { print wall, cpu }')
+        record_both embree $(embree_trace $s0)
         record tachyon "$(tachyon_trace $s0 "$size")"
-        record povray "$(povray_trace $s0 "$size")"
+        record_both povray $(povray_trace $s0 "$size")
     done
-    echo "| S0, $size x $size, tracing, 2 threads | ms | times f32 | times f64 |"
-    echo "|---|---|---|---|"
-    row "archetrace f32" f32 f32 f64
-    row "archetrace f64" f64 f32 f64
-    row "limit program" limit f32 f64
-    row "Embree, its fastest way" embree f32 f64
-    row "tachyon" tachyon f32 f64
-    row "POV-Ray" povray f32 f64
+    echo "| S0, $size x $size, tracing, 2 threads | ms | processor ms | times f32 | times f64 | times f32, processor | times f64, processor |"
+    echo "|---|---|---|---|---|---|---|"
+    for name in f32 f64 limit embree tachyon povray; do
+        printf '| %s | %s | %s | %s | %s | %s | %s |\n' $name "$(spread $name)" "$(spread $name.cpu)" "$(spread $name f32)" \
+            "$(spread $name f64)" "$(spread $name.cpu f32.cpu)" "$(spread $name.cpu f64.cpu)"
+    done
     echo
-    echo "2 threads against 1: f32 $(spread f32.one 1 f32), f64 $(spread f64.one 1 f64) times as fast"
+    echo "2 threads against 1: f32 $(spread f32.one f32), f64 $(spread f64.one f64) times as fast"
     echo
 }
 
@@ -153,7 +160,7 @@ process_table() {
     echo "|---|---|---|---|---|"
     for name in "$@"; do
         printf '| %s | %s | %s | %s | %s |\n' "$name" "$(spread "$prefix.$name.wall")" "$(spread "$prefix.$name.cpu")" \
-            "$(spread "$prefix.$name.wall" 1 "$prefix.$first.wall")" "$(spread "$prefix.$name.cpu" 1 "$prefix.$first.cpu")"
+            "$(spread "$prefix.$name.wall" "$prefix.$first.wall")" "$(spread "$prefix.$name.cpu" "$prefix.$first.cpu")"
     done
     echo
 }
@@ -183,8 +190,8 @@ run_rays() {
         done
         for kind in "${kinds[@]}"; do
             printf '| %s | %s | %s | %s | %s | %s |\n' "$count" "$kind" "$(spread "$count.$kind.f32")" \
-                "$(spread "$count.$kind.embree")" "$(spread "$count.$kind.f32" 1 "$count.$kind.embree")" \
-                "$(spread "$count.$kind.f64" 1 "$count.$kind.f32")"
+                "$(spread "$count.$kind.embree")" "$(spread "$count.$kind.f32" "$count.$kind.embree")" \
+                "$(spread "$count.$kind.f64" "$count.$kind.f32")"
         done
     done
     echo
