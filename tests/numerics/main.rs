@@ -18,6 +18,7 @@ mod checker;
 mod checker_filter;
 mod compensated;
 mod cube;
+mod disk;
 mod exit;
 mod exponential;
 mod falloff;

@@ -1,0 +1,34 @@
+//! Points on a disk: squares become circles, and areas stay as they are.
+
+use archetrace::effects::disk_point;
+
+#[test]
+fn squares_become_circles() {
+    for step in 0..=64 {
+        let along = f64::from(step) / 64.0;
+        for (square, radius) in
+            [([along, 1.0], 1.0), ([0.0, along], 1.0), ([0.75, 0.25 + along / 2.0], 0.5), ([0.5, 0.5], 0.0)]
+        {
+            let [x, y] = disk_point(square);
+            assert!((x.hypot(y) - radius).abs() < 1e-15, "{square:?} to {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn equal_areas_stay_equal() {
+    // Of a fine grid, as many points fall into a disk, half disk or ring as its share of the whole says.
+    let side = 1024_u32;
+    let centre = |index: u32| (f64::from(index) + 0.5) / f64::from(side);
+    let points = || (0..side * side).map(|n| disk_point([centre(n % side), centre(n / side)]));
+    let share = |inside: &dyn Fn(f64, f64) -> bool| {
+        let found: f64 = points().filter(|&[x, y]| inside(x, y)).map(|_| 1.0).sum();
+        found / f64::from(side * side)
+    };
+    let inner = share(&|x, y| x * x + y * y < 0.3);
+    let half = share(&|x, _| x < 0.0);
+    let slice = share(&|x, y| 0.0 < y && y < 0.5 * x);
+    assert!((inner - 0.3).abs() < 1e-3, "{inner}");
+    assert!((half - 0.5).abs() < 1e-3, "{half}");
+    assert!((slice - 0.5_f64.atan() / core::f64::consts::TAU).abs() < 1e-3, "{slice}");
+}
