@@ -2,23 +2,31 @@
 
 use archetrace::components::{Sampling, Snapshot};
 use archetrace::effects::{Effect, EffectSet};
+use archetrace::film::Film;
 use archetrace::geometry::Real;
-use archetrace::systems::Tables;
+use archetrace::systems::{Frame, Monitor, Muted, Tables, extract_schedule, prepare, trace_picture};
+use archetrace::trace::{Exposure, Kernel, SampleGrid};
 use bevy_ecs::prelude::*;
 
 use crate::support::picture::Picture;
-use crate::support::tracing::trace;
+use crate::support::tracing::{trace, workers};
 
 #[path = "../../scenes/gallery/exhibits.rs"]
 mod exhibits;
 
 use exhibits::{EXHIBITS, Exhibit};
 
-/// A small picture of an exhibit, and the effects that its tables and camera have.
-fn shown<T: Real>(exhibit: &Exhibit) -> (Picture, EffectSet) {
+/// An exhibit, for a small picture.
+fn small(exhibit: &Exhibit) -> World {
     let mut world: World = exhibit.world();
     world.resource_mut::<Snapshot>().pixels = 40;
     world.insert_resource(Sampling { side: 1 });
+    world
+}
+
+/// A small picture of an exhibit, and the effects that its tables and camera have.
+fn shown<T: Real>(exhibit: &Exhibit) -> (Picture, EffectSet) {
+    let mut world = small(exhibit);
     let picture = trace::<T>(&mut world).picture;
     (picture, world.resource::<Tables<T>>().effects())
 }
@@ -49,5 +57,70 @@ fn every_effect_shows() {
     for exhibit in EXHIBITS.iter().filter(|exhibit| exhibit.effects != [Effect::Srgb]) {
         let is_plain = exhibit.effects.is_empty();
         assert_eq!(shown::<f64>(exhibit).0 == plain, is_plain, "{}", exhibit.name);
+    }
+}
+
+/// The picture by some kernel, whether it has what the exhibit asks for or not.
+fn by_kernel(exhibit: &Exhibit, kernel: Kernel) -> Film {
+    let mut world = small(exhibit);
+    prepare::<f64>(&mut world, workers(2));
+    extract_schedule::<f64>().run(&mut world);
+    let tables = world.resource::<Tables<f64>>();
+    let camera = tables.camera.as_ref().unwrap();
+    let level = world.resource::<Snapshot>().level;
+    let exposure = Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER, kernel };
+    let mut film = Film::new(camera.pixels()).unwrap();
+    trace_picture(&exposure, &mut film, &workers(2), &Monitor::default());
+    film
+}
+
+#[test]
+fn every_kernel_that_has_enough_traces_the_same_bits() {
+    for exhibit in EXHIBITS {
+        let smallest = Kernel::smallest_for(EffectSet::of(exhibit.effects));
+        let picture = by_kernel(exhibit, smallest);
+        for kernel in Kernel::ALL.into_iter().filter(|&kernel| kernel > smallest) {
+            assert!(by_kernel(exhibit, kernel) == picture, "{}, {kernel:?}", exhibit.name);
+        }
+    }
+}
+
+#[test]
+fn a_kernel_for_a_set_that_lacks_an_effect_traces_another_picture() {
+    let mut tried = 0;
+    for exhibit in EXHIBITS {
+        let &[effect] = exhibit.effects else { continue };
+        let lacking = Kernel::smallest_for(EffectSet::NONE);
+        if lacking.effects().contains(effect) {
+            // No work of a kernel.
+            continue;
+        }
+        let kernel = Kernel::smallest_for(EffectSet::of(&[effect]));
+        assert!(by_kernel(exhibit, lacking) != by_kernel(exhibit, kernel), "{}", exhibit.name);
+        tried += 1;
+    }
+    assert!(tried >= 10, "{tried} effects");
+}
+
+/// The bytes of the picture with an effect switched off, and whether anything of the effect is left.
+fn without(exhibit: &Exhibit, muted: EffectSet) -> Vec<u8> {
+    let mut world = small(exhibit);
+    world.insert_resource(Muted(muted));
+    trace::<f64>(&mut world);
+    for count in world.resource::<Tables<f64>>().effect_counts() {
+        let is_left = !muted.contains(count.effect) && exhibit.effects.contains(&count.effect);
+        let nothing = (count.rows, count.bytes) == (0, 0);
+        // What works on another effect alone goes with it.
+        assert!(nothing || is_left, "{}: {count:?}", exhibit.name);
+    }
+    world.resource::<Frame>().traced().unwrap().0.to_rgb8()
+}
+
+#[test]
+fn an_effect_that_the_survey_misses_is_missed_in_the_picture() {
+    for effect in Effect::ALL {
+        let exhibit = Exhibit::named(effect.name()).unwrap();
+        let whole = without(exhibit, EffectSet::NONE);
+        assert!(without(exhibit, EffectSet::of(&[effect])) != whole, "{}", exhibit.name);
     }
 }
