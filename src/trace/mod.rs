@@ -20,6 +20,7 @@ mod sequence;
 mod shade;
 mod shape_columns;
 mod simd;
+mod stream;
 mod surface_table;
 mod tables;
 mod tile;
@@ -41,6 +42,7 @@ pub use shape_columns::{
     BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };
 pub use simd::Simd;
+pub use stream::Query;
 pub use surface_table::{GlossRow, SurfaceRow, SurfaceTable};
 pub use tables::{SceneTables, ShapeTable, Trees};
 pub use tile::Exposure;

@@ -11,10 +11,21 @@ use super::{Departure, SceneTables, ShapeColumns, ShapeTable};
 /// through it.
 #[inline(always)]
 pub fn is_occluded<T: Real>(tables: &SceneTables<T>, segment: &Ray<T>, departure: &Departure) -> bool {
+    is_occluded_with(tables, segment, departure, &mut None)
+}
+
+/// [`is_occluded`], with a stack for the trees that is made where there is none yet.
+#[inline(always)]
+pub(super) fn is_occluded_with<T: Real>(
+    tables: &SceneTables<T>,
+    segment: &Ray<T>,
+    departure: &Departure,
+    stack: &mut Option<Stack<T>>,
+) -> bool {
     let trees = &tables.trees;
-    blocks(&tables.spheres, trees.spheres.as_deref(), segment, departure)
-        || blocks(&tables.cubes, trees.cubes.as_deref(), segment, departure)
-        || blocks(&tables.pyramids, trees.pyramids.as_deref(), segment, departure)
+    blocks(&tables.spheres, trees.spheres.as_deref(), segment, departure, stack)
+        || blocks(&tables.cubes, trees.cubes.as_deref(), segment, departure, stack)
+        || blocks(&tables.pyramids, trees.pyramids.as_deref(), segment, departure, stack)
         || any_row_blocks(&tables.boards, segment, departure)
 }
 
@@ -24,9 +35,10 @@ fn blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     tree: Option<&Tree<T, C::Shape>>,
     segment: &Ray<T>,
     departure: &Departure,
+    stack: &mut Option<Stack<T>>,
 ) -> bool {
     match tree {
-        Some(tree) => tree_blocks(table, tree, segment, departure),
+        Some(tree) => tree_blocks(table, tree, segment, departure, stack),
         None => any_row_blocks(table, segment, departure),
     }
 }
@@ -51,12 +63,13 @@ fn row_blocks<T: Real, C: ShapeColumns<T>>(
         .is_some_and(|crossing| crossing.t < T::ONE)
 }
 
-#[inline(never)]
+#[inline(always)]
 fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     table: &ShapeTable<T, C>,
     tree: &Tree<T, C::Shape>,
     segment: &Ray<T>,
     departure: &Departure,
+    stack: &mut Option<Stack<T>>,
 ) -> bool {
     let departed = departure.rows(C::KIND);
     // A tree knows no exits.
@@ -65,6 +78,6 @@ fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     }
     let mut any = Any { row: NO_ROW };
     let ray = TreeRay::new(*segment, tree.rounding());
-    tree.search::<false>(&ray, departed.row(), &mut any, &mut Stack::new());
+    tree.search::<false>(&ray, departed.row(), &mut any, stack.get_or_insert_with(Stack::new));
     any.row != NO_ROW
 }
