@@ -73,7 +73,7 @@ fn measure<T: Real>(args: &Args) -> Result<(), Box<dyn Error>> {
     for _ in 0..args.repeats {
         laps.time(|| trace.run(&mut world));
     }
-    let RayCounts { primary, shadow, mirror } = world.resource::<Frame>().traced()?.1.rays;
+    let RayCounts { primary, shadow, mirror, .. } = world.resource::<Frame>().traced()?.1.rays;
     let (scene, simd, times) = (&args.view.scene, format!("{simd:?}"), laps.times());
     let report = Report { scene, precision: T::NAME, threads, simd, pixels, times, primary, shadow, mirror };
     Ok(writeln!(std::io::stdout(), "{}", serde_json::to_string(&report)?)?)

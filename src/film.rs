@@ -1,10 +1,13 @@
 //! The film: a square picture in linear colour.
 
+use crate::effects::{SrgbLevels, Transfer};
+
 /// Linear red, green and blue of each pixel, 0 to 1; row 0 is the top, rows follow each other.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Film {
     side: u32,
     pixels: Vec<[f64; 3]>,
+    transfer: Transfer,
 }
 
 impl Film {
@@ -13,7 +16,7 @@ impl Film {
         let count = usize::try_from(u64::from(side) * u64::from(side)).ok()?;
         // Tried first, because `vec!` would abort; `vec!` then, because its zeroes cost nothing until used.
         Vec::<[f64; 3]>::new().try_reserve_exact(count).ok()?;
-        Some(Self { side, pixels: vec![[0.0; 3]; count] })
+        Some(Self { side, pixels: vec![[0.0; 3]; count], transfer: Transfer::Linear })
     }
 
     /// Pixels along each side.
@@ -26,7 +29,13 @@ impl Film {
         &self.pixels
     }
 
-    /// The picture in 8 bits a channel, red, green, blue, top row first: each channel times 255, truncated.
+    /// Chooses what light becomes in 8 bits; linear unless said otherwise.
+    pub fn set_transfer(&mut self, transfer: Transfer) {
+        self.transfer = transfer;
+    }
+
+    /// The picture in 8 bits a channel, red, green, blue, top row first: each channel times 255, truncated, after the
+    /// film's transfer.
     pub fn to_rgb8(&self) -> Vec<u8> {
         self.mean_to_rgb8(1)
     }
@@ -35,7 +44,14 @@ impl Film {
     /// but the sums stay.
     pub fn mean_to_rgb8(&self, samples: u32) -> Vec<u8> {
         let count = f64::from(samples);
-        self.pixels.iter().flatten().map(|&channel| quantize(channel / count)).collect()
+        let channels = self.pixels.iter().flatten().map(|&channel| channel / count);
+        match self.transfer {
+            Transfer::Linear => channels.map(quantize).collect(),
+            Transfer::Srgb => {
+                let levels = SrgbLevels::new();
+                channels.map(|channel| levels.level(channel)).collect()
+            }
+        }
     }
 
     /// Divides every pixel, as the sum of that many samples.

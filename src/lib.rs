@@ -43,6 +43,8 @@ pub mod image_file;
 #[cfg(feature = "viewer")]
 pub mod preview;
 pub mod scene;
+pub mod selfcheck;
+pub mod study;
 #[path = "../systems/mod.rs"]
 pub mod systems;
 pub mod trace;

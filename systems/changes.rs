@@ -9,8 +9,12 @@ use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
 use crate::components::{
-    Ambient, Color, Diffuse, Falloff, Gloss, Light, Mirror, Order, Position, SpotCone, Textured,
+    Absorption, Ambient, AreaLight, Background, CheckerFilter, Color, Diffuse, Directional, Falloff, Fog,
+    Glass, Gloss, Light, LightColor, Mirror, Order, Position, SpotCone, TextureFilter, Textured,
 };
+use crate::geometry::Real;
+
+use super::{Muted, Tables};
 
 pub(super) type ObjectChange<S> = Or<(
     Changed<S>,
@@ -20,7 +24,11 @@ pub(super) type ObjectChange<S> = Or<(
     Changed<Diffuse>,
     Changed<Gloss>,
     Changed<Mirror>,
+    Changed<Glass>,
+    Changed<Absorption>,
     Changed<Textured>,
+    Changed<TextureFilter>,
+    Changed<CheckerFilter>,
     Changed<Order>,
 )>;
 
@@ -33,12 +41,28 @@ pub(super) type ObjectGain<S> = Or<(
     Added<Diffuse>,
     Added<Gloss>,
     Added<Mirror>,
+    Added<Glass>,
+    Added<Absorption>,
     Added<Textured>,
+    Added<TextureFilter>,
+    Added<CheckerFilter>,
     Added<Order>,
 )>;
 
-type LightChange =
-    Or<(Changed<Light>, Changed<Position>, Changed<Falloff>, Changed<SpotCone>, Changed<Order>)>;
+type LightChange = Or<(
+    Changed<Light>,
+    Changed<Position>,
+    Changed<Falloff>,
+    Changed<SpotCone>,
+    Changed<LightColor>,
+    Changed<Directional>,
+    Changed<AreaLight>,
+    Changed<Order>,
+)>;
+
+type Air = Or<(With<Background>, With<Fog>)>;
+
+type AirChange = Or<(Changed<Background>, Changed<Fog>)>;
 
 /// What an object cannot be traced without.
 type Needed<'w, 's, S> = (
@@ -56,21 +80,26 @@ pub(super) fn objects_changed<S: Component>(
     census.differs() | !changed.is_empty()
 }
 
-/// How many objects with shape `S` have what components.
+/// How many objects with shape `S` have what components, and what is switched off.
 #[derive(SystemParam)]
 pub(super) struct Census<'w, 's, S: Component> {
     objects: Living<'w, 's, S, S>,
     needed: Needed<'w, 's, S>,
     effects: (Living<'w, 's, S, Gloss>, Living<'w, 's, S, Mirror>, Living<'w, 's, S, Textured>),
+    filters: (Living<'w, 's, S, TextureFilter>, Living<'w, 's, S, CheckerFilter>),
+    glasses: (Living<'w, 's, S, Glass>, Living<'w, 's, S, Absorption>),
     orders: Living<'w, 's, S, Order>,
+    muted: Res<'w, Muted>,
 }
 
 impl<S: Component> Census<'_, '_, S> {
-    /// Whether any number is another than at the last look. Every one is taken, so that none is compared with one from
+    /// Whether anything is another than at the last look. Every one is taken, so that none is compared with one from
     /// longer ago: hence `|`, not `||`.
     pub(super) fn differs(&mut self) -> bool {
         let (positions, colors, ambients, diffuses) = &mut self.needed;
         let (gloss, mirrors, textures) = &mut self.effects;
+        let (texture_filters, checker_filters) = &mut self.filters;
+        let (glass, absorptions) = &mut self.glasses;
         self.objects.differ()
             | positions.differ()
             | colors.differ()
@@ -79,7 +108,12 @@ impl<S: Component> Census<'_, '_, S> {
             | gloss.differ()
             | mirrors.differ()
             | textures.differ()
+            | texture_filters.differ()
+            | checker_filters.differ()
+            | glass.differ()
+            | absorptions.differ()
             | self.orders.differ()
+            | self.muted.is_changed()
     }
 }
 
@@ -88,16 +122,36 @@ pub(super) fn lights_changed(
     changed: Query<(), (With<Light>, LightChange)>,
     mut lights: Living<Light, Light>,
     mut positions: Living<Light, Position>,
-    mut effects: (Living<Light, Falloff>, Living<Light, SpotCone>),
+    mut narrowing: (Living<Light, Falloff>, Living<Light, SpotCone>),
+    mut other: (Living<Light, LightColor>, Living<Light, Directional>, Living<Light, AreaLight>),
     mut orders: Living<Light, Order>,
+    muted: Res<Muted>,
 ) -> bool {
-    let (falloffs, cones) = &mut effects;
+    let (falloffs, cones) = &mut narrowing;
+    let (colors, directions, balls) = &mut other;
     !changed.is_empty()
         | lights.differ()
         | positions.differ()
         | falloffs.differ()
         | cones.differ()
+        | colors.differ()
+        | directions.differ()
+        | balls.differ()
         | orders.differ()
+        | muted.is_changed()
+}
+
+/// Whether background or fog are out of date. While nobody asks for any and none is left in the tables, they are not.
+pub(super) fn air_changed<T: Real>(
+    changed: Query<(), AirChange>,
+    all: Query<(), Air>,
+    mut backgrounds: Living<Background, Background>,
+    mut fogs: Living<Fog, Fog>,
+    (muted, tables): (Res<Muted>, Res<Tables<T>>),
+) -> bool {
+    let is_left_over = all.is_empty() && !tables.scene.air.is_empty();
+    let is_switched = muted.is_changed() && !all.is_empty();
+    !changed.is_empty() | backgrounds.differ() | fogs.differ() | is_left_over | is_switched
 }
 
 /// How many entities of a kind have a component.

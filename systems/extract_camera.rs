@@ -2,26 +2,39 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::range::{FIELD_OF_VIEW, LENGTH, MAX_GRID, MAX_LEVEL, MAX_PIXELS, RATIO};
-use crate::components::{CameraPose, Lens, Sampling, Snapshot};
+use crate::components::range::{
+    FIELD_OF_VIEW, LENGTH, MAX_GRID, MAX_LEVEL, MAX_PIXELS, OPENING, RATIO, SECONDS, STOPS,
+};
+use crate::components::{
+    Aperture, CameraPose, ExposureStops, Lens, Sampling, Shutter, Snapshot, SrgbTransfer,
+};
+use crate::effects::{Effect, Transfer};
 use crate::geometry::{Real, is_camera_basis};
-use crate::trace::CameraRays;
+use crate::trace::{CameraEffects, CameraRays};
 
-use super::Tables;
 use super::problem::{Checks, WorldProblem};
+use super::{Muted, Tables};
+
+/// What makes a camera more than a pinhole.
+type EffectData =
+    (Option<&'static Aperture>, Option<&'static Shutter>, Option<&'static ExposureStops>, Has<SrgbTransfer>);
+/// The same of one camera.
+type Effects<'w> = (Option<&'w Aperture>, Option<&'w Shutter>, Option<&'w ExposureStops>, bool);
 
 /// Sets up the rays of the one camera there must be, for the size of the snapshot.
 pub(super) fn extract_camera<T: Real>(
-    cameras: Query<(Entity, &CameraPose, &Lens)>,
-    (snapshot, sampling): (Res<Snapshot>, Res<Sampling>),
+    cameras: Query<(Entity, &CameraPose, &Lens, EffectData)>,
+    (snapshot, sampling, muted): (Res<Snapshot>, Res<Sampling>, Res<Muted>),
     mut tables: ResMut<Tables<T>>,
 ) {
     let mut checks = Checks::default();
     check_settings(&snapshot, &sampling, &mut checks);
     tables.camera = match cameras.single() {
-        Ok((entity, pose, lens)) => {
+        Ok((entity, pose, lens, effects)) => {
             check_camera::<T>(entity, pose, lens, &mut checks);
-            checks.problems.is_empty().then(|| CameraRays::new(pose, lens, snapshot.pixels))
+            check_effects::<T>(entity, effects, &mut checks);
+            let rays = || CameraRays::new(pose, lens, snapshot.pixels).with_effects(visible(effects, *muted));
+            checks.problems.is_empty().then(rays)
         }
         Err(_) => {
             checks.problems.push(WorldProblem::Cameras { found: cameras.iter().len() });
@@ -57,4 +70,39 @@ fn check_camera<T: Real>(entity: Entity, pose: &CameraPose, lens: &Lens, checks:
     checks.value(entity, "Lens.fovy", lens.fovy, &FIELD_OF_VIEW);
     checks.value(entity, "Lens.aspect", lens.aspect, &RATIO);
     checks.value(entity, "Lens.fovy * aspect", lens.fovx(), &FIELD_OF_VIEW);
+}
+
+fn check_effects<T: Real>(
+    entity: Entity,
+    (aperture, shutter, exposure, _): Effects<'_>,
+    checks: &mut Checks,
+) {
+    if let Some(aperture) = aperture {
+        checks.length::<T>(entity, "Aperture.focus", aperture.focus);
+        checks.value(entity, "Aperture.radius / focus", aperture.radius / aperture.focus, &OPENING);
+    }
+    if let Some(&Shutter { open, close }) = shutter {
+        checks.value(entity, "Shutter.open", open, &SECONDS);
+        checks.value(entity, "Shutter.close", close, &SECONDS);
+        if close < open {
+            checks.problems.push(WorldProblem::ShutterOrder { entity, open, close });
+        }
+    }
+    if let Some(exposure) = exposure {
+        checks.value(entity, "ExposureStops", exposure.0, &STOPS);
+    }
+}
+
+/// A shutter that shows second 0 alone, as a camera without one does.
+const STILL: Shutter = Shutter { open: 0.0, close: 0.0 };
+
+/// The effects that are not switched off, without those that would show nothing.
+fn visible((aperture, shutter, exposure, srgb): Effects<'_>, muted: Muted) -> CameraEffects {
+    let transfer = srgb.then_some(Transfer::Srgb);
+    CameraEffects {
+        aperture: muted.hear(Effect::Aperture, aperture.copied()).filter(|aperture| aperture.radius != 0.0),
+        shutter: muted.hear(Effect::MotionBlur, shutter.copied()).filter(|&shutter| shutter != STILL),
+        exposure: muted.hear(Effect::Exposure, exposure.copied()).filter(|exposure| exposure.0 != 0.0),
+        transfer: muted.hear(Effect::Srgb, transfer).unwrap_or_default(),
+    }
 }

@@ -10,7 +10,7 @@ use crate::components::range::MAX_PIXELS;
 use crate::effects::EffectSet;
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::trace::{CameraRays, Counts, Kind, ObjectId, SceneTables};
+use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, SceneTables};
 
 use super::WorldProblem;
 
@@ -41,9 +41,24 @@ impl<T: Real> Tables<T> {
         self.entities.get(&object.kind)?.get(object.row as usize).copied()
     }
 
-    /// The effects that some row asks for.
+    /// The effects that some row, or the camera, asks for.
     pub fn effects(&self) -> EffectSet {
-        self.scene.effects()
+        self.scene.effects().union(self.camera_effects().set())
+    }
+
+    /// What every effect takes, in rows of tables and in the camera, in the order of reports.
+    pub fn effect_counts(&self) -> Vec<EffectCount> {
+        let camera = self.camera_effects();
+        let with_camera = |count: EffectCount| {
+            let here = camera.count(count.effect);
+            EffectCount { rows: count.rows + here.rows, bytes: count.bytes + here.bytes, ..count }
+        };
+        self.scene.effect_counts().into_iter().map(with_camera).collect()
+    }
+
+    /// What the camera does beyond that of a pinhole; nothing while there is none.
+    pub fn camera_effects(&self) -> CameraEffects {
+        self.camera.as_ref().map(CameraRays::effects).unwrap_or_default()
     }
 
     /// Everything that is wrong with the World, as of the last extraction.

@@ -2,10 +2,13 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Checkerboard, Cube, Light, Order, Position, Pyramid, Sphere, SpotCone, Textured};
+use crate::components::{
+    Checkerboard, Cube, Directional, Light, Order, Position, Pyramid, Sphere, SpotCone, Textured,
+};
 use crate::preview::{DrawList, Placed};
 
-use super::extract_objects::{ObjectRow, Objects, gather};
+use super::Muted;
+use super::object_rows::{ObjectRow, Objects, gather};
 use super::shape_tables::Shape;
 
 /// What the preview draws, as of the last run of [`list_schedule`](super::list_schedule).
@@ -19,14 +22,17 @@ pub(super) trait ListShape: Shape {
 }
 
 /// Replaces the objects with shape `S`, in the order of the tables: ties go to the same object as in the trace.
-pub(super) fn list_objects<S: ListShape>(objects: Objects<S>, mut drawn: ResMut<Drawn>) {
-    let mut rows = gather(&objects);
-    rows.sort_by(ObjectRow::compare);
-    S::list(rows, &mut drawn.0);
+pub(super) fn list_objects<S: ListShape>(objects: Objects<S>, muted: Res<Muted>, mut drawn: ResMut<Drawn>) {
+    S::list(gather(&objects, *muted).rows().collect(), &mut drawn.0);
 }
 
-type Lights<'w, 's> =
-    Query<'w, 's, (&'static Position, Option<&'static SpotCone>, Option<&'static Order>), With<Light>>;
+/// Lights that are somewhere.
+type Lights<'w, 's> = Query<
+    'w,
+    's,
+    (&'static Position, Option<&'static SpotCone>, Option<&'static Order>),
+    (With<Light>, Without<Directional>),
+>;
 
 /// Replaces the lights.
 pub(super) fn list_lights(lights: Lights, mut drawn: ResMut<Drawn>) {

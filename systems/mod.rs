@@ -6,7 +6,9 @@
 //! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
 //!                                   row by row where values changed in few of them
 //!                  extract_lights   only if lights changed, came or went
+//!                  extract_air      only if background or fog changed, came or went
 //!                  extract_camera   always: two tangents
+//!                  extract_motion   after the others, only while something has a velocity
 //! Stage::Build     build_trees      only if a large table has no tree, or has changed
 //! Stage::Trace     trace            tables and camera to film, tiles in parallel
 //! Stage::List      list_objects     what the preview draws, per shape kind, only if that kind changed
@@ -22,12 +24,16 @@
 mod build_trees;
 mod changes;
 mod control_camera;
+mod extract_air;
 mod extract_camera;
 mod extract_lights;
+mod extract_motion;
 mod extract_objects;
 mod frame;
 #[cfg(feature = "viewer")]
 mod list_draws;
+mod muted;
+mod object_rows;
 mod problem;
 mod shape_tables;
 mod survey_effects;
@@ -41,10 +47,12 @@ use crate::components::{CameraInput, Checkerboard, Cube, Pyramid, Sampling, Snap
 use crate::geometry::Real;
 
 use build_trees::{build_trees, trees_are_lacking};
-use changes::{lights_changed, objects_changed};
+use changes::{air_changed, lights_changed, objects_changed};
 use control_camera::control_camera;
+use extract_air::extract_air;
 use extract_camera::extract_camera;
 use extract_lights::extract_lights;
+use extract_motion::{extract_motion, something_moves};
 use extract_objects::extract_objects;
 #[cfg(feature = "viewer")]
 use list_draws::{list_lights, list_objects};
@@ -54,8 +62,9 @@ use trace::trace;
 pub use frame::{Frame, FrameError, Tables};
 #[cfg(feature = "viewer")]
 pub use list_draws::Drawn;
+pub use muted::Muted;
 pub use problem::WorldProblem;
-pub use survey_effects::Survey;
+pub use survey_effects::{Survey, carriers_of, take_away};
 pub use trace::{trace_pass, trace_picture};
 pub use workers::{Monitor, Workers, WorkersError};
 
@@ -83,6 +92,7 @@ pub fn prepare<T: Real>(world: &mut World, workers: Workers) {
     world.init_resource::<Sampling>();
     world.init_resource::<Monitor>();
     world.init_resource::<Survey>();
+    world.init_resource::<Muted>();
     world.init_resource::<Frame>();
     world.init_resource::<Tables<T>>();
     #[cfg(feature = "viewer")]
@@ -173,9 +183,20 @@ fn add_extract<T: Real>(schedule: &mut Schedule) {
             extract_objects::<T, Pyramid>.run_if(objects_changed::<Pyramid>),
             extract_objects::<T, Checkerboard>.run_if(objects_changed::<Checkerboard>),
             extract_lights::<T>.run_if(lights_changed),
+            extract_air::<T>.run_if(air_changed::<T>),
             extract_camera::<T>,
         )
             .in_set(Stage::Extract),
+    );
+    // It names rows and asks for the shutter, so it waits until they are there.
+    let motion = extract_motion::<T>.run_if(something_moves::<T>).in_set(Stage::Extract);
+    schedule.add_systems(
+        motion
+            .after(extract_camera::<T>)
+            .after(extract_objects::<T, Sphere>)
+            .after(extract_objects::<T, Cube>)
+            .after(extract_objects::<T, Pyramid>)
+            .after(extract_objects::<T, Checkerboard>),
     );
 }
 

@@ -4,7 +4,7 @@ use bevy_ecs::prelude::*;
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::components::range::{COORDINATE, LENGTH, Range};
+use crate::components::range::{COORDINATE, EXTENT, LENGTH, Range};
 use crate::geometry::Real;
 
 /// Something in the World that cannot be traced. Nothing is traced while there is one.
@@ -58,6 +58,30 @@ pub enum WorldProblem {
         /// The precision asked for.
         precision: &'static str,
     },
+    /// A direction that is none.
+    #[error("entity {entity}: {value} is zero, which is no direction")]
+    Zero {
+        /// The entity.
+        entity: Entity,
+        /// Component and field.
+        value: &'static str,
+    },
+    /// A surface that sends on more light than it receives.
+    #[error("entity {entity}: Mirror and Glass.transmission add up to {found}, but must not exceed 1")]
+    Excess {
+        /// The entity.
+        entity: Entity,
+        /// The sum.
+        found: f64,
+    },
+    /// More than one of what there is at most one of.
+    #[error("the World must have no more than one {kind}, but has {found}")]
+    Surplus {
+        /// The component.
+        kind: &'static str,
+        /// How many there are.
+        found: usize,
+    },
     /// A camera that is no basis.
     #[error("entity {entity}: CameraPose l, r and u must be unit vectors at right angles, with u = r x l")]
     NoBasis {
@@ -73,6 +97,16 @@ pub enum WorldProblem {
         near: f64,
         /// Distance of the far plane.
         far: f64,
+    },
+    /// A shutter that closes before it opens.
+    #[error("entity {entity}: Shutter.close is {close}, but must not be before Shutter.open, {open}")]
+    ShutterOrder {
+        /// The entity.
+        entity: Entity,
+        /// When it opens.
+        open: f64,
+        /// When it closes.
+        close: f64,
     },
     /// No camera, or more than one.
     #[error("the World must have one camera (an entity with CameraPose and Lens), but has {found}")]
@@ -112,6 +146,12 @@ impl Checks {
     pub(super) fn length<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
         self.value(entity, value, found, &LENGTH);
         self.precision::<T>(entity, value, found, found > T::LENGTH_LIMIT || found < T::LENGTH_LIMIT.recip());
+    }
+
+    /// A length that may be 0.
+    pub(super) fn extent<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
+        self.value(entity, value, found, &EXTENT);
+        self.precision::<T>(entity, value, found, found > T::LENGTH_LIMIT);
     }
 
     /// Coordinates in their range, and in that of the precision.

@@ -1,13 +1,16 @@
 //! Which shape goes to which table.
 
+use std::sync::Arc;
+
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
-use crate::components::{Checkerboard, Cube, Pyramid, Sphere, Textured};
+use crate::components::{Checkerboard, Cube, Pyramid, Sphere, TextureFilter, Textured};
+use crate::effects::MipChain;
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable,
-    SphereColumns, Trees, refit_tree,
+    BoardColumns, BoardPaint, BoardTexture, CubeColumns, ImageFilter, PyramidColumns, SceneTables,
+    ShapeColumns, ShapeTable, SphereColumns, Trees, refit_tree,
 };
 
 /// A shape component.
@@ -33,7 +36,7 @@ pub(super) trait ExtractShape<T: Real>: Shape {
     /// Writes this shape over a row, if that can be done.
     fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool;
     /// Adds a row for this shape.
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>);
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, paint: Paint<'_>);
 }
 
 impl Shape for Sphere {
@@ -67,7 +70,7 @@ impl<T: Real> ExtractShape<T> for Sphere {
         true
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, _paint: Paint<'_>) {
         let center = Vector::from_dvec3(position);
         columns.push(SphereShape { center, radius: T::from_f64(self.radius) });
     }
@@ -101,7 +104,7 @@ impl<T: Real> ExtractShape<T> for Cube {
         true
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, _paint: Paint<'_>) {
         columns.push(CubeShape::new(position, self.side));
     }
 }
@@ -134,7 +137,7 @@ impl<T: Real> ExtractShape<T> for Pyramid {
         true
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _textured: Option<&Textured>) {
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, _paint: Paint<'_>) {
         columns.push(PyramidShape::new(position, self.width, self.height));
     }
 }
@@ -163,9 +166,37 @@ impl<T: Real> ExtractShape<T> for Checkerboard {
         false
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, textured: Option<&Textured>) {
-        let texture = textured
-            .map(|textured| BoardTexture { white: textured.white.clone(), black: textured.black.clone() });
-        columns.push(Vector::from_dvec3(position), T::from_f64(self.cell), texture);
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, paint: Paint<'_>) {
+        columns.push(Vector::from_dvec3(position), T::from_f64(self.cell), paint.extract());
+    }
+}
+
+/// What is on the cells of a checkerboard, as the World has it.
+#[derive(Clone, Copy)]
+pub(super) struct Paint<'a> {
+    pub(super) textured: Option<&'a Textured>,
+    pub(super) texture_filter: TextureFilter,
+    pub(super) has_checker_filter: bool,
+}
+
+impl Paint<'_> {
+    /// For the table, with smaller copies of the images if they are asked for.
+    fn extract(self) -> BoardPaint {
+        let filter = |images: &Textured| match self.texture_filter {
+            TextureFilter::Nearest => None,
+            TextureFilter::Bilinear => Some(ImageFilter::Bilinear),
+            TextureFilter::Mip => {
+                let [white, black] =
+                    [&images.white, &images.black].map(|image| Arc::new(MipChain::new(image)));
+                Some(ImageFilter::Mip { white, black })
+            }
+        };
+        let images =
+            |images: &Textured| BoardTexture { white: images.white.clone(), black: images.black.clone() };
+        BoardPaint {
+            texture: self.textured.map(images),
+            texture_filter: self.textured.and_then(filter),
+            has_checker_filter: self.has_checker_filter,
+        }
     }
 }

@@ -1,23 +1,52 @@
 //! Which effects the World asks for.
 
 use bevy_ecs::archetype::Archetypes;
-use bevy_ecs::component::{ComponentId, Components};
+use bevy_ecs::component::Components;
 use bevy_ecs::entity_disabling::Disabled;
 use bevy_ecs::prelude::*;
 
-use crate::components::{Falloff, Gloss, Mirror, SpotCone, Textured};
+use crate::components::{
+    Absorption, Aperture, AreaLight, Background, CheckerFilter, Directional, ExposureStops, Falloff, Fog,
+    Glass, Gloss, LightColor, Mirror, SpotCone, SrgbTransfer, TextureFilter, Textured, Velocity,
+};
 use crate::effects::{Effect, EffectSet};
+
+use super::Muted;
+
+/// Which component stands for which effect.
+const CARRIERS: [Carrier; Effect::ALL.len()] = [
+    Carrier::of::<Gloss>(Effect::Gloss),
+    Carrier::of::<Mirror>(Effect::Mirror),
+    Carrier::of::<Textured>(Effect::Texture),
+    Carrier::of::<Falloff>(Effect::Falloff),
+    Carrier::of::<SpotCone>(Effect::SpotCone),
+    Carrier::of::<LightColor>(Effect::LightColor),
+    Carrier::of::<Directional>(Effect::Directional),
+    Carrier::of::<AreaLight>(Effect::AreaLight),
+    Carrier::of::<Background>(Effect::Background),
+    Carrier::of::<Fog>(Effect::Fog),
+    Carrier::of::<Glass>(Effect::Glass),
+    Carrier::of::<Absorption>(Effect::Absorption),
+    Carrier::of::<TextureFilter>(Effect::TextureFilter),
+    Carrier::of::<CheckerFilter>(Effect::CheckerFilter),
+    Carrier::of::<Velocity>(Effect::MotionBlur),
+    Carrier::of::<Aperture>(Effect::Aperture),
+    Carrier::of::<ExposureStops>(Effect::Exposure),
+    Carrier::of::<SrgbTransfer>(Effect::Srgb),
+];
 
 /// How many living entities carry each effect, whatever its value.
 #[derive(Resource, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Survey {
     entities: Vec<(Effect, usize)>,
+    muted: EffectSet,
 }
 
 impl Survey {
-    /// The effects that some entity carries.
+    /// The effects that some entity carries, but for those that are switched off.
     pub fn asked(&self) -> EffectSet {
-        self.entities.iter().filter(|(_, entities)| *entities > 0).map(|&(effect, _)| effect).collect()
+        let carried = self.entities.iter().filter(|(_, entities)| *entities > 0).map(|&(effect, _)| effect);
+        carried.filter(|&effect| !self.muted.contains(effect)).collect()
     }
 
     /// How many entities carry an effect.
@@ -26,34 +55,60 @@ impl Survey {
     }
 }
 
-/// Counts the carriers of every effect: one step an archetype, none an entity. An archetype stays registered when its last
-/// entity is gone, so it is the number of entities that counts.
-pub(super) fn survey_effects(archetypes: &Archetypes, components: &Components, mut survey: ResMut<Survey>) {
-    let world = Population { archetypes, components };
-    let found = Survey {
-        entities: vec![
-            (Effect::Gloss, world.carriers::<Gloss>()),
-            (Effect::Mirror, world.carriers::<Mirror>()),
-            (Effect::Texture, world.carriers::<Textured>()),
-            (Effect::Falloff, world.carriers::<Falloff>()),
-            (Effect::SpotCone, world.carriers::<SpotCone>()),
-        ],
-    };
-    survey.set_if_neq(found);
+/// Counts the carriers of every effect: one step an archetype, none an entity.
+pub(super) fn survey_effects(
+    archetypes: &Archetypes,
+    components: &Components,
+    muted: Res<Muted>,
+    mut survey: ResMut<Survey>,
+) {
+    let found = CARRIERS.map(|carrier| (carrier.effect, (carrier.count)(archetypes, components)));
+    survey.set_if_neq(Survey { entities: found.to_vec(), muted: muted.0 });
 }
 
-struct Population<'w> {
-    archetypes: &'w Archetypes,
-    components: &'w Components,
+/// The entities that carry an effect.
+pub fn carriers_of(world: &mut World, effect: Effect) -> Vec<Entity> {
+    let carriers = CARRIERS.iter().filter(|carrier| carrier.effect == effect);
+    carriers.flat_map(|carrier| (carrier.entities)(world)).collect()
 }
 
-impl Population<'_> {
-    fn carriers<C: Component>(&self) -> usize {
-        let Some(carried) = self.components.component_id::<C>() else { return 0 };
-        let disabled: Option<ComponentId> = self.components.component_id::<Disabled>();
-        let living = self.archetypes.iter().filter(|archetype| {
-            archetype.contains(carried) && !disabled.is_some_and(|disabled| archetype.contains(disabled))
-        });
-        living.map(|archetype| archetype.len() as usize).sum()
+/// Takes an effect away from every entity that carries it: the scene as it would be without.
+pub fn take_away(world: &mut World, effect: Effect) {
+    for carrier in CARRIERS.iter().filter(|carrier| carrier.effect == effect) {
+        (carrier.remove)(world);
+    }
+}
+
+/// What is done with a component without knowing it.
+struct Carrier {
+    effect: Effect,
+    count: fn(&Archetypes, &Components) -> usize,
+    entities: fn(&mut World) -> Vec<Entity>,
+    remove: fn(&mut World),
+}
+
+impl Carrier {
+    const fn of<C: Component>(effect: Effect) -> Self {
+        Self { effect, count: count::<C>, entities: entities::<C>, remove: remove::<C> }
+    }
+}
+
+/// An archetype stays registered when its last entity is gone, so it is the number of entities that counts.
+fn count<C: Component>(archetypes: &Archetypes, components: &Components) -> usize {
+    let Some(carried) = components.component_id::<C>() else { return 0 };
+    let disabled = components.component_id::<Disabled>();
+    let living = archetypes.iter().filter(|archetype| {
+        archetype.contains(carried) && !disabled.is_some_and(|disabled| archetype.contains(disabled))
+    });
+    living.map(|archetype| archetype.len() as usize).sum()
+}
+
+fn entities<C: Component>(world: &mut World) -> Vec<Entity> {
+    world.query_filtered::<Entity, With<C>>().iter(world).collect()
+}
+
+fn remove<C: Component>(world: &mut World) {
+    for entity in entities::<C>(world) {
+        world.entity_mut(entity).remove::<C>();
     }
 }

@@ -66,6 +66,10 @@ pub fn trace_pass<T: Real>(
     workers: &Workers,
     monitor: &Monitor,
 ) -> Counts {
+    let effects = exposure.camera.effects();
+    film.set_transfer(effects.transfer);
+    let tables = exposure.tables.at(T::from_f64(effects.second(exposure.grid, pass)));
+    let exposure = Exposure { tables: &tables, ..*exposure };
     let mut tiles = film.tiles_mut(workers.tile_size);
     workers.pool.install(|| {
         let each = tiles.par_iter_mut().map(|tile| {

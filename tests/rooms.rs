@@ -64,8 +64,8 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/effects",
-        crates: &[("glam", All), ("libm", Only(&["spot_cone.rs"]))],
-        rooms: &["geometry"],
+        crates: &[("glam", All), ("libm", Only(&["disk.rs", "spot_cone.rs", "srgb.rs", "mip_chain.rs"]))],
+        rooms: &["components", "geometry"],
         may: &[],
     },
     Room {
@@ -82,11 +82,17 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/trace",
-        crates: &[("libm", Only(&["camera.rs"]))],
+        crates: &[("libm", Only(&["camera.rs", "camera_effects.rs"]))],
         rooms: &["components", "effects", "geometry", "film"],
         may: &[],
     },
-    Room { place: "src/film.rs", crates: &[], rooms: &[], may: &[] },
+    Room {
+        place: "src/selfcheck",
+        crates: &[("glam", All), ("libm", Only(&["random.rs"]))],
+        rooms: &["components", "effects", "film", "geometry", "trace"],
+        may: &[(Tolerance, All)],
+    },
+    Room { place: "src/film.rs", crates: &[], rooms: &["effects"], may: &[] },
     Room {
         place: "src/image_file.rs",
         crates: &[("image", All), ("thiserror", All)],
@@ -106,6 +112,12 @@ const ROOMS: &[Room] = &[
         may: &[],
     },
     Room {
+        place: "src/study",
+        crates: &[("bevy_ecs", All), ("plotters", Only(&["bars.rs"]))],
+        rooms: &["effects", "film", "geometry", "systems", "trace"],
+        may: &[],
+    },
+    Room {
         place: "src/cli",
         crates: &[
             ("bevy_ecs", All),
@@ -116,14 +128,18 @@ const ROOMS: &[Room] = &[
             ("ctrlc", All),
             ("serde", All),
             ("serde_json", All),
+            ("tempfile", Only(&["instructions.rs"])),
         ],
         rooms: &[
             "components",
+            "effects",
             "film",
             "geometry",
             "image_file",
             "preview",
             "scene",
+            "selfcheck",
+            "study",
             "systems",
             "trace",
             "viewer",

@@ -12,6 +12,7 @@ use glam::DVec3;
 
 use crate::components::range::{COORDINATE, MAX_GRID, MAX_LEVEL, MAX_PIXELS};
 use crate::components::{self, Sampling};
+use crate::effects::Effect;
 use crate::image_file::format_of;
 
 const EXAMPLES: &str = "\
@@ -39,7 +40,9 @@ pub(super) enum Command {
     #[cfg(feature = "viewer")]
     Preview(PreviewArgs),
     Check(CheckArgs),
+    Effects(EffectsArgs),
     Write(WriteArgs),
+    Selfcheck(SelfcheckArgs),
     #[cfg(feature = "viewer")]
     View(ViewArgs),
 }
@@ -53,6 +56,22 @@ pub(super) struct RenderArgs {
     /// Picture to write: .bmp or .png
     #[arg(short, long, value_name = "OUT", value_parser = picture_path())]
     pub(super) output: PathBuf,
+    #[command(flatten)]
+    pub(super) picture: PictureArgs,
+    /// Switch an effect off, as if no entity asked for it: its name in `archetrace effects`; more than once for more
+    #[arg(long, value_name = "EFFECT", value_parser = effect())]
+    pub(super) without: Vec<Effect>,
+    /// Trace with the kernel that has every effect, whatever the scene asks for: the same picture, only slower
+    #[arg(long)]
+    pub(super) all_effects: bool,
+    /// Write what was measured and counted
+    #[arg(long, value_name = "FILE.json")]
+    pub(super) stats: Option<PathBuf>,
+}
+
+/// What is traced of a scene, and how.
+#[derive(Debug, ClapArgs)]
+pub(super) struct PictureArgs {
     #[command(flatten)]
     pub(super) camera: CameraArgs,
     /// Pixels along each side [default: the scene's]
@@ -72,12 +91,28 @@ pub(super) struct RenderArgs {
     /// Threads that trace [default: one per processor]
     #[arg(long, value_name = "N", value_parser = thread_count())]
     pub(super) threads: Option<NonZeroUsize>,
-    /// Trace with the kernel that has every effect, whatever the scene asks for: the same picture, only slower
+}
+
+/// Say what effects a scene asks for, who asks for them, and what each costs: rays, rows, bytes, milliseconds, and the
+/// difference that it makes to the picture.
+#[derive(Debug, Parser)]
+pub(super) struct EffectsArgs {
+    /// Scene description
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) picture: PictureArgs,
+    /// How often each frame is traced, in turns with the others
+    #[arg(long, value_name = "N", default_value = "5", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(super) rounds: u32,
+    /// Print JSON
     #[arg(long)]
-    pub(super) all_effects: bool,
-    /// Write what was measured and counted
-    #[arg(long, value_name = "FILE.json")]
-    pub(super) stats: Option<PathBuf>,
+    pub(super) json: bool,
+    /// Draw the milliseconds as bars
+    #[arg(long, value_name = "FILE.svg")]
+    pub(super) chart: Option<PathBuf>,
+    /// Count instructions as well, with valgrind
+    #[arg(long)]
+    pub(super) instructions: bool,
 }
 
 /// Where the camera stands and where it looks.
@@ -207,6 +242,22 @@ pub(super) struct WriteArgs {
     pub(super) output: Option<PathBuf>,
 }
 
+/// Hold the kernels of this program against exact truth, on this machine.
+#[derive(Debug, Parser)]
+#[command(after_help = SELFCHECK_HELP)]
+pub(super) struct SelfcheckArgs {
+    /// Ten million rays of each kind instead of a hundred thousand: takes many minutes
+    #[arg(long)]
+    pub(super) long: bool,
+}
+
+const SELFCHECK_HELP: &str = "\
+Each line is a kind of rays in one precision: how many, how many of their parameters are off by up to 1/2, 1, 2, 4 and \
+more epsilons, the largest error, surfaces missed and met falsely, and answers wrong in another way. Status 1 if any is.
+
+Example:
+  archetrace selfcheck";
+
 /// Open a window on a scene: fly through it, edit it, trace it with 0.
 #[cfg(feature = "viewer")]
 #[derive(Debug, Parser)]
@@ -255,6 +306,12 @@ impl From<Precision> for components::Precision {
 fn picture_path() -> impl TypedValueParser<Value = PathBuf> {
     clap::builder::PathBufValueParser::new()
         .try_map(|path| format_of(&path).map(|_| path).map_err(|error| error.to_string()))
+}
+
+fn effect() -> impl TypedValueParser<Value = Effect> {
+    clap::builder::PossibleValuesParser::new(Effect::ALL.map(Effect::name)).try_map(|name| {
+        Effect::ALL.into_iter().find(|effect| effect.name() == name).ok_or("must be the name of an effect")
+    })
 }
 
 fn thread_count() -> impl TypedValueParser<Value = NonZeroUsize> {

@@ -46,10 +46,11 @@ fn write_summary(text: &mut String, world: &mut World) -> core::fmt::Result {
         writeln!(text, "camera   near {near}, far {far}, fovy {fovy}, aspect {aspect}")?;
     }
     let spots = world.query_filtered::<(), (With<Light>, With<SpotCone>)>().iter(world).count();
-    let scene = &world.resource::<Tables<f64>>().scene;
+    let tables = world.resource::<Tables<f64>>();
+    let scene = &tables.scene;
     writeln!(text, "objects  {}", objects(scene))?;
     writeln!(text, "lights   {} normal, {spots} spot", scene.lights.len() - spots)?;
-    writeln!(text, "effects  {}", effects(scene))
+    writeln!(text, "effects  {}", effects(tables))
 }
 
 fn objects(scene: &SceneTables<f64>) -> String {
@@ -62,8 +63,8 @@ fn objects(scene: &SceneTables<f64>) -> String {
     named.collect::<Vec<_>>().join(", ")
 }
 
-fn effects(scene: &SceneTables<f64>) -> String {
-    let counts = scene.effect_counts();
+fn effects(tables: &Tables<f64>) -> String {
+    let counts = tables.effect_counts();
     let used = counts.iter().filter(|count| count.rows > 0);
     let named: Vec<String> = used.map(|count| format!("{} ({})", count.effect.name(), count.rows)).collect();
     if named.is_empty() { "none".to_owned() } else { named.join(", ") }

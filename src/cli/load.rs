@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{CameraPose, Checkerboard, Texture, Textured};
+use crate::components::{CameraPose, Checkerboard, Snapshot, Texture, Textured};
 use crate::image_file::{ImageFileError, decode_texture, load_texture};
 use crate::scene::{Source, spawn};
 
-use super::args::{CameraArgs, ImageArgs};
+use super::args::{CameraArgs, ImageArgs, PictureArgs};
 use super::{CliError, say};
 
 /// Reads and spawns a scene; warnings go to standard error. Returns how many there were.
@@ -20,6 +20,23 @@ pub(super) fn load_world(path: &Path, world: &mut World) -> Result<usize, CliErr
     }
     spawn(world, &loaded.description);
     Ok(loaded.warnings.len())
+}
+
+/// Reads and spawns a scene, and puts what the command line says over what the scene says.
+pub(super) fn load_picture(
+    scene: &Path,
+    args: &PictureArgs,
+    world: &mut World,
+) -> Result<Snapshot, CliError> {
+    load_world(scene, world)?;
+    lay_texture(&args.images, scene, world)?;
+    let mut snapshot = world.resource_mut::<Snapshot>();
+    snapshot.pixels = args.size.unwrap_or(snapshot.pixels);
+    snapshot.level = args.level.unwrap_or(snapshot.level);
+    let snapshot = *snapshot;
+    world.insert_resource(args.samples);
+    aim(&args.camera, world)?;
+    Ok(snapshot)
 }
 
 /// Images for the checkerboard: the ones named, else those beside the scene, else the built-in ones.

@@ -4,10 +4,13 @@
 
 mod args;
 mod check;
+mod effects;
+mod instructions;
 mod load;
 #[cfg(feature = "viewer")]
 mod preview;
 mod render;
+mod selfcheck;
 mod stats;
 mod stop;
 #[cfg(feature = "viewer")]
@@ -34,7 +37,9 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "viewer")]
         Command::Preview(args) => preview::preview(&args),
         Command::Check(args) => check::check(&args),
+        Command::Effects(args) => effects::effects(&args),
         Command::Write(args) => write::write(&args),
+        Command::Selfcheck(args) => selfcheck::selfcheck(&args),
         #[cfg(feature = "viewer")]
         Command::View(args) => view::view(&args),
     };
@@ -73,6 +78,10 @@ enum CliError {
     Output(io::Error),
     #[error("cannot listen for Ctrl-C: {0}")]
     Signal(#[from] ctrlc::Error),
+    #[error("cannot draw the chart")]
+    Chart,
+    #[error("cannot count instructions: {0}")]
+    Instructions(String),
     #[error("cannot encode statistics: {0}")]
     Stats(#[from] serde_json::Error),
     #[cfg(feature = "viewer")]
@@ -81,6 +90,8 @@ enum CliError {
     #[cfg(feature = "viewer")]
     #[error(transparent)]
     Gl(#[from] crate::preview::gl::GlError),
+    #[error("this build gives wrong answers on this machine, see the lines that say BAD")]
+    Selfcheck,
     #[error("interrupted; {0} was not written")]
     Interrupted(String),
 }

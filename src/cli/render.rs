@@ -11,25 +11,26 @@ use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
 use crate::image_file::encode;
 use crate::systems::{
-    Frame, FrameError, Monitor, Tables, Workers, build_schedule, prepare, tables_schedule, trace_schedule,
+    Frame, FrameError, Monitor, Muted, Tables, Workers, build_schedule, prepare, tables_schedule,
+    trace_schedule,
 };
 use crate::trace::Kernel;
 use crate::whole_file::{check_writable, write_whole};
 
 use super::args::{Precision, RenderArgs};
-use super::load::{aim, lay_texture, load_world};
+use super::load::load_picture;
 use super::stats::{Phases, Stats, Stopwatch};
 use super::stop::stop_flag;
 use super::{CliError, say};
 
 fn workers(args: &RenderArgs) -> Result<Workers, CliError> {
     let least = if args.all_effects { Kernel::Everything } else { Kernel::Plain };
-    Ok(Workers::new(args.threads)?.with_least_kernel(least))
+    Ok(Workers::new(args.picture.threads)?.with_least_kernel(least))
 }
 
 /// Traces a scene file to a picture file.
 pub(super) fn render(args: &RenderArgs) -> Result<(), CliError> {
-    match args.precision {
+    match args.picture.precision {
         Precision::F64 => render_as::<f64>(args),
         Precision::F32 => render_as::<f32>(args),
     }
@@ -45,9 +46,8 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     let mut phases = Phases::default();
 
     let mut world = World::new();
-    load_world(&args.scene, &mut world)?;
-    lay_texture(&args.images, &args.scene, &mut world)?;
-    let snapshot = apply(args, &mut world)?;
+    let snapshot = load_picture(&args.scene, &args.picture, &mut world)?;
+    world.insert_resource(Muted(args.without.iter().copied().collect()));
     phases.load = clock.lap();
 
     prepare::<T>(&mut world, workers(args)?);
@@ -56,7 +56,7 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     build_schedule::<T>().run(&mut world);
     phases.build = clock.lap();
 
-    let progress = progress_bar(snapshot, args.samples);
+    let progress = progress_bar(snapshot, args.picture.samples);
     world.insert_resource(monitor(&progress, &stop));
     trace_schedule::<T>().run(&mut world);
     progress.finish_and_clear();
@@ -79,22 +79,11 @@ fn render_as<T: Real>(args: &RenderArgs) -> Result<(), CliError> {
     }
     if let Some(path) = &args.stats {
         let threads = world.resource::<Workers>().threads();
-        let scene = &world.resource::<Tables<T>>().scene;
-        let stats = Stats::new((snapshot, args.samples), threads, phases, counts, scene);
+        let tables = world.resource::<Tables<T>>();
+        let stats = Stats::new((snapshot, args.picture.samples), threads, phases, counts, tables);
         write_whole(path, &stats.to_json()?)?;
     }
     Ok(())
-}
-
-/// Puts what the command line says over what the scene says.
-fn apply(args: &RenderArgs, world: &mut World) -> Result<Snapshot, CliError> {
-    let mut snapshot = world.resource_mut::<Snapshot>();
-    snapshot.pixels = args.size.unwrap_or(snapshot.pixels);
-    snapshot.level = args.level.unwrap_or(snapshot.level);
-    let snapshot = *snapshot;
-    world.insert_resource(args.samples);
-    aim(&args.camera, world)?;
-    Ok(snapshot)
 }
 
 /// A bar on a terminal, nothing elsewhere.

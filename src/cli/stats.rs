@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
-use crate::trace::{Counts, SceneTables};
+use crate::systems::Tables;
+use crate::trace::Counts;
 
 /// What a render measured and counted.
 #[derive(Debug, Serialize)]
@@ -45,6 +46,7 @@ struct Rays {
     primary: u64,
     shadow: u64,
     mirror: u64,
+    refracted: u64,
 }
 
 impl Stats {
@@ -54,10 +56,10 @@ impl Stats {
         threads: usize,
         phases: Phases,
         counts: &Counts,
-        scene: &SceneTables<T>,
+        tables: &Tables<T>,
     ) -> Self {
-        let tables = scene.table_counts().map(|count| (count.table, count.rows));
-        let effects = scene.effect_counts();
+        let effects = tables.effect_counts();
+        let tables = tables.scene.table_counts().map(|count| (count.table, count.rows));
         Self {
             version: env!("CARGO_PKG_VERSION"),
             precision: T::NAME,
@@ -70,6 +72,7 @@ impl Stats {
                 primary: counts.rays.primary,
                 shadow: counts.rays.shadow,
                 mirror: counts.rays.mirror,
+                refracted: counts.rays.refracted,
             },
             rows: tables
                 .into_iter()

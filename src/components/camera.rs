@@ -56,6 +56,39 @@ impl Lens {
     }
 }
 
+/// Effect of the camera: a lens of some width instead of a pinhole, so that what is not in focus is blurred. A point at
+/// distance `d` along `l` becomes a disk of radius `radius * |d - focus| / d` in the plane in focus. Each sample of a
+/// pixel passes one point of the lens: a smooth blur wants many.
+///
+/// The near plane and the far one stay planes: each ray starts on the near plane, wherever it passes the lens.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Aperture {
+    /// Radius of the lens in world units, 0 to `focus`; 0 is as good as no aperture.
+    pub radius: f64,
+    /// Distance of the plane in focus along `l`, in world units, above 0.
+    pub focus: f64,
+}
+
+/// Effect of the camera: it sees objects that have a [`Velocity`](super::Velocity) during some time instead of at second 0.
+/// Each pass over the picture, one sample of every pixel, shows one moment, evenly spaced: a smooth blur wants many.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct Shutter {
+    /// When it opens, in seconds, -1e9 to 1e9.
+    pub open: f64,
+    /// When it closes, in seconds, not before.
+    pub close: f64,
+}
+
+/// Effect of the camera: all light counts `2^stops` times before it is cut off at full output, -100 to 100; 0 is as good
+/// as none.
+#[derive(Component, Clone, Copy, Debug, PartialEq)]
+pub struct ExposureStops(pub f64);
+
+/// Effect of the camera: its pictures become bytes by the curve of sRGB (IEC 61966-2-1), as screens expect, instead of
+/// in proportion to the light.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq)]
+pub struct SrgbTransfer;
+
 /// How far ahead along `l` the point lies that the camera keeps looking at while its eye is raised or lowered.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct Reference {

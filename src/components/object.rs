@@ -16,6 +16,11 @@ impl Position {
     }
 }
 
+/// Effect of an object: its way in a second, in world units, along a straight line. Its other components say where it is
+/// at second 0; how much of the way shows, the camera's [`Shutter`](super::Shutter) says, without which nothing moves.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq)]
+pub struct Velocity(pub DVec3);
+
 /// A place in the scene's own order. Rows of the tables are sorted by it, ties between surfaces go to the lower
 /// one, lights are summed in it; entities without it come last, sorted by their values.
 ///

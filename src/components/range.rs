@@ -44,11 +44,27 @@ pub const COEFFICIENT: Range = Range::closed(0.0, 1.0, "a number from 0 to 1");
 pub const SHININESS: Range = Range::closed(0.0, 1e9, "a number from 0 to 1e9");
 /// A falloff in 1/unit^2.
 pub const FALLOFF: Range = Range::closed(0.0, 1e150, "a number from 0 to 1e150");
+/// Red, green or blue of a light.
+pub const LIGHT_COLOR: Range = Range::closed(0.0, 1e6, "a number from 0 to 1e6");
+/// A radius that may be 0.
+pub const EXTENT: Range = Range::closed(0.0, 1e70, "a length from 0 to 1e70");
+/// An index of refraction inside by that outside.
+pub const INDEX: Range = Range::closed(0.1, 10.0, "a number from 0.1 to 10");
+/// A density of fog or absorption in 1/unit.
+pub const DENSITY: Range = Range::closed(0.0, 1e150, "a number from 0 to 1e150");
+/// Shadow rays towards one light.
+pub const LIGHT_SAMPLES: Range = Range::closed(1.0, 4096.0, "a number from 1 to 4096");
 /// The angle between axis and side of a spot cone, in degrees.
 pub const CUTOFF: Range = Range::closed(0.0, 180.0, "an angle from 0 to 180 degrees");
 /// A field of view in degrees.
 pub const FIELD_OF_VIEW: Range =
     Range { low: 0.0, high: 180.0, open: true, words: "an angle above 0 and below 180 degrees" };
+/// The radius of a lens as a share of the distance it is focused on.
+pub const OPENING: Range = Range::closed(0.0, 1.0, "a number from 0 to 1");
+/// An exposure in stops.
+pub const STOPS: Range = Range::closed(-100.0, 100.0, "a number from -100 to 100");
+/// A time in seconds.
+pub const SECONDS: Range = Range::closed(-1e9, 1e9, "a number from -1e9 to 1e9");
 /// A ratio of two lengths.
 pub const RATIO: Range = Range::closed(1e-6, 1e6, "a ratio from 1e-6 to 1e6");
 

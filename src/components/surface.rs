@@ -52,6 +52,24 @@ pub struct Textured {
     pub black: Arc<Texture>,
 }
 
+/// Effect of a textured checkerboard: how its images are looked up. Without images it does nothing.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TextureFilter {
+    /// The texel at the point itself; as good as no filter.
+    #[default]
+    Nearest,
+    /// The nearest four texels, in proportion.
+    Bilinear,
+    /// The mean of what a pixel covers of the image, along the side on which it covers more: from copies of the image
+    /// that are made when the board is extracted.
+    Mip,
+}
+
+/// Effect of a checkerboard without images: a point shows the share of white cells in what its pixel covers, so that
+/// far cells run together to the mean of both. Absent, each ray sees one cell.
+#[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CheckerFilter;
+
 /// An 8-bit colour image of at least one texel; row 0 is the top row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Texture {

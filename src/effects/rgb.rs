@@ -28,11 +28,23 @@ impl<T: Real> Rgb<T> {
         Self { r: T::from_f64(v.x), g: T::from_f64(v.y), b: T::from_f64(v.z) }
     }
 
+    /// The same in all three.
+    #[inline(always)]
+    pub const fn gray(value: T) -> Self {
+        Self { r: value, g: value, b: value }
+    }
+
     /// An 8-bit colour, 0..=255 to 0..=1.
     #[inline(always)]
     pub fn from_bytes([r, g, b]: [u8; 3]) -> Self {
         let scale = |byte: u8| T::from_u32(u32::from(byte)) / T::from_u32(255);
         Self { r: scale(r), g: scale(g), b: scale(b) }
+    }
+
+    /// The largest of the three, none of them NaN.
+    #[inline(always)]
+    pub fn largest(self) -> T {
+        self.r.at_least(self.g).at_least(self.b)
     }
 
     /// The same colour in `f64`, exactly.
@@ -61,5 +73,13 @@ impl<T: Real> Mul<T> for Rgb<T> {
     #[inline(always)]
     fn mul(self, factor: T) -> Self {
         Self { r: self.r * factor, g: self.g * factor, b: self.b * factor }
+    }
+}
+
+impl<T: Real> Mul for Rgb<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self { r: self.r * other.r, g: self.g * other.g, b: self.b * other.b }
     }
 }

@@ -27,6 +27,18 @@ pub(super) struct Chord<T> {
     pub(super) half_squared: T,
 }
 
+impl<T: Real> Chord<T> {
+    /// The square of `a` times half the chord's length in steps of `t`, for a line that hits; `c` is `|offset|^2 - r^2`.
+    ///
+    /// From afar `h^2` and `a c` nearly cancel and the perpendicular form is right; near the surface, or from inside,
+    /// they do not, and the error of `h` is all that counts.
+    #[inline(always)]
+    pub(super) fn discriminant(&self, c: T) -> T {
+        let (h_squared, ac) = (self.h * self.h, self.a * c);
+        if ac + ac < h_squared { h_squared - ac } else { self.a * self.half_squared }
+    }
+}
+
 impl<T: Real> SphereShape<T> {
     /// How far below 0 rounding alone can bring `|o - c|^2 - r^2` for a point on the surface, as
     /// [`locate`](Convex::locate) gives it: half a unit in the last place of each coordinate and three of the normal.
@@ -56,8 +68,8 @@ impl<T: Real> SphereShape<T> {
 
 impl<T: Real> Convex<T> for SphereShape<T> {
     /// Textbook `b^2 - 4ac` loses all digits when the sphere is small and far; the perpendicular form alone loses
-    /// them when it is huge and near. Here the discriminant is perpendicular and factored, `c` is compensated, and
-    /// the two roots come from `q` without cancellation: both ends keep `t` to a few units in the last place.
+    /// them when it is huge and near. Here each is used where it is the better one, `c` is compensated, and the two
+    /// roots come from `q` without cancellation: both ends keep `t` to a few units in the last place.
     #[inline(always)]
     fn intersect(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
         // 1. The chord; a negative square means that the line passes by.
@@ -73,7 +85,7 @@ impl<T: Real> Convex<T> for SphereShape<T> {
             return None;
         }
         // 3. q has the larger magnitude of the two numerators, so nothing cancels in it.
-        let q = chord.h + (chord.a * chord.half_squared).sqrt().copysign(chord.h);
+        let q = chord.h + chord.discriminant(c).sqrt().copysign(chord.h);
         let (near, far) = if chord.h > T::ZERO { (c / q, q / chord.a) } else { (q / chord.a, c / q) };
         // 4. The first root ahead. A quotient 0/0 (tangent at the origin itself) compares false: no crossing.
         let (t, side) = if near > T::ZERO { (near, Side::Outside) } else { (far, Side::Inside) };

@@ -85,6 +85,17 @@ impl<T: Real> Vector<T> {
         scaled / scaled.length()
     }
 
+    /// Two unit vectors at right angles to this unit vector and to each other (T. Duff and others, "Building an
+    /// Orthonormal Basis, Revisited", JCGT 6(1), 2017).
+    #[inline(always)]
+    pub fn perpendiculars(self) -> [Self; 2] {
+        let Self { x, y, z } = self;
+        let sign = T::ONE.copysign(z);
+        let a = -T::ONE / (sign + z);
+        let b = x * y * a;
+        [Self::new(T::ONE + sign * (x * x * a), sign * b, -sign * x), Self::new(b, sign + y * y * a, -y)]
+    }
+
     /// This vector with component `axis` (0, 1, 2) replaced.
     #[inline(always)]
     pub fn with(mut self, axis: usize, value: T) -> Self {

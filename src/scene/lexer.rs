@@ -19,7 +19,7 @@ impl Word<'_> {
 }
 
 /// The words of a text, one after the other; comments and white space are passed over.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Lexer<'a> {
     text: &'a str,
     at: usize,
@@ -31,17 +31,37 @@ impl<'a> Lexer<'a> {
         Self { text, at: if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 } }
     }
 
-    fn rest(&self) -> &'a str {
-        &self.text[self.at..]
+    /// The next character, and whether it is white space. Nearly all are ASCII and need no decoding.
+    #[inline]
+    fn character(&self) -> Option<(char, bool)> {
+        let byte = *self.text.as_bytes().get(self.at)?;
+        if byte.is_ascii() {
+            return Some((char::from(byte), matches!(byte, b' ' | b'\t'..=b'\r')));
+        }
+        self.text[self.at..].chars().next().map(|c| (c, c.is_whitespace()))
     }
 
     fn skip_blank(&mut self) {
-        loop {
-            self.at = self.text.len() - self.rest().trim_start().len();
-            if !self.rest().starts_with('#') {
+        while let Some((c, is_blank)) = self.character() {
+            if is_blank {
+                self.at += c.len_utf8();
+            } else if c == '#' {
+                let rest = &self.text[self.at..];
+                self.at += rest.find('\n').unwrap_or(rest.len());
+            } else {
                 return;
             }
-            self.at += self.rest().find('\n').unwrap_or(self.rest().len());
+        }
+    }
+
+    fn skip_word(&mut self) {
+        loop {
+            let rest = &self.text.as_bytes()[self.at..];
+            self.at += rest.iter().take_while(|byte| matches!(byte, b'!'..=b'~') && **byte != b'#').count();
+            match self.character() {
+                Some((c, false)) if c != '#' => self.at += c.len_utf8(),
+                _ => return,
+            }
         }
     }
 }
@@ -49,12 +69,12 @@ impl<'a> Lexer<'a> {
 impl<'a> Iterator for Lexer<'a> {
     type Item = Word<'a>;
 
+    #[inline]
     fn next(&mut self) -> Option<Word<'a>> {
         self.skip_blank();
-        let rest = self.rest();
-        let length = rest.find(|c: char| c.is_whitespace() || c == '#').unwrap_or(rest.len());
-        let word = Word { text: &rest[..length], start: self.at };
-        self.at += length;
-        (length > 0).then_some(word)
+        let start = self.at;
+        self.skip_word();
+        let text = &self.text[start..self.at];
+        (!text.is_empty()).then_some(Word { text, start })
     }
 }

@@ -1,5 +1,6 @@
 //! Words to [`Description`].
 
+use core::fmt::Display;
 use core::ops::Range as Span;
 
 use glam::DVec3;
@@ -29,7 +30,7 @@ const MAX_PROBLEMS: usize = 20;
 pub fn parse(text: &str) -> Result<(Description, Vec<Problem>), Vec<Problem>> {
     let mut parser = Parser {
         text,
-        words: Lexer::new(text).peekable(),
+        words: Lexer::new(text),
         end: text.trim_end().len(),
         last: 0..0,
         announced: None,
@@ -54,18 +55,26 @@ enum Stop {
 
 struct Parser<'a> {
     text: &'a str,
-    words: core::iter::Peekable<Lexer<'a>>,
+    words: Lexer<'a>,
     /// Where the text ends, blanks left out.
     end: usize,
     /// The word read last.
     last: Span<usize>,
-    /// The count that says how many items are being read, in words: where it is wrong, the error shows later.
-    announced: Option<String>,
+    /// The count that says how many items are being read: where it is wrong, the error shows later.
+    announced: Option<Announced>,
     /// Whether these items are bare numbers, without a word at their start.
     in_list: bool,
     problems: Vec<Problem>,
     warnings: Vec<Problem>,
     unshown_warnings: usize,
+}
+
+/// A count, with the name of what it counts.
+struct Announced {
+    what: String,
+    count: u32,
+    /// Where it stands, in bytes.
+    at: usize,
 }
 
 const OBJECT_WORDS: [&str; 3] = ["sphere", "cube", "pyramid"];
@@ -122,7 +131,7 @@ impl<'a> Parser<'a> {
                 Err(Stop::Lost) => return Err(Stop::Lost),
             }
         }
-        let extra = self.words.peek().filter(|word| is_object_word(word.text)).copied();
+        let extra = self.peek().filter(|word| is_object_word(word.text));
         if let Some(word) = extra.filter(|_| self.problems.is_empty()) {
             let message = format!("found {} where the number of normal lights should be", quoted(word.text));
             self.fail_count(word.span(), message, "one object more than announced")?;
@@ -148,8 +157,8 @@ impl<'a> Parser<'a> {
             word = self.next().ok_or(Stop::Lost)?;
         }
         let name = word.text;
-        let position = self.point(|axis| format!("the {name}'s {axis}"))?;
-        let mut length = |what: &str| self.number(&format!("the {name}'s {what}"), &LENGTH);
+        let position = self.point(format_args!("the {name}'s "), "")?;
+        let mut length = |what: &str| self.number(format_args!("the {name}'s {what}"), &LENGTH);
         let shape = match name {
             "sphere" => ShapeDescription::Sphere { radius: length("radius")? },
             "cube" => ShapeDescription::Cube { side: length("side")? },
@@ -160,18 +169,18 @@ impl<'a> Parser<'a> {
     }
 
     fn surface(&mut self, name: &str) -> Result<SurfaceDescription, Stop> {
-        let mut channel = |what: &str| self.number(&format!("the {name}'s {what}"), &COLOR);
+        let mut channel = |what: &str| self.number(format_args!("the {name}'s {what}"), &COLOR);
         let color = DVec3::new(channel("red")?, channel("green")?, channel("blue")?);
-        let ambient = self.number(&format!("the {name}'s ambient coefficient"), &COEFFICIENT)?;
+        let ambient = self.number(format_args!("the {name}'s ambient coefficient"), &COEFFICIENT)?;
         let start = self.last.start;
         let mut coefficient =
-            |what: &str| self.number(&format!("the {name}'s {what} coefficient"), &COEFFICIENT);
+            |what: &str| self.number(format_args!("the {name}'s {what} coefficient"), &COEFFICIENT);
         let diffuse = coefficient("diffuse")?;
         let specular = coefficient("specular")?;
         let reflection = coefficient("reflection")?;
         let sum = ((ambient + diffuse) + specular) + reflection;
         self.check_sum(start, "ambient + diffuse + specular + reflection", sum);
-        let shininess = self.number(&format!("the {name}'s shininess"), &SHININESS)?;
+        let shininess = self.number(format_args!("the {name}'s shininess"), &SHININESS)?;
         Ok(SurfaceDescription { color, ambient, diffuse, specular, reflection, shininess })
     }
 
@@ -191,15 +200,15 @@ impl<'a> Parser<'a> {
     }
 
     fn light(&mut self, name: &str) -> Result<LightDescription, Stop> {
-        let position = self.point(|axis| format!("the {name}'s {axis}"))?;
-        let falloff = self.number(&format!("the {name}'s falloff"), &FALLOFF)?;
+        let position = self.point(format_args!("the {name}'s "), "")?;
+        let falloff = self.number(format_args!("the {name}'s falloff"), &FALLOFF)?;
         Ok(LightDescription { position, falloff })
     }
 
     fn spot(&mut self) -> Result<SpotDescription, Stop> {
         let light = self.light("spotlight")?;
-        let start = self.words.peek().map_or(self.end, |word| word.start);
-        let target = self.point(|axis| format!("the {axis} of the point that the spotlight looks at"))?;
+        let start = self.peek().map_or(self.end, |word| word.start);
+        let target = self.point("the ", " of the point that the spotlight looks at")?;
         if target == light.position {
             let message = "the spotlight looks at its own position, so its cone has no direction";
             self.fail(start..self.last.end, message.into(), "must be another point")?;
@@ -208,25 +217,37 @@ impl<'a> Parser<'a> {
         Ok(SpotDescription { light, target, cutoff })
     }
 
-    fn point(&mut self, name: impl Fn(char) -> String) -> Result<DVec3, Stop> {
-        let mut coordinate = |axis| self.number(&name(axis), &COORDINATE);
+    /// Three coordinates; their names stand between `before` and `after`.
+    fn point(&mut self, before: impl Display, after: &str) -> Result<DVec3, Stop> {
+        let mut coordinate = |axis| self.number(format_args!("{before}{axis}{after}"), &COORDINATE);
         Ok(DVec3::new(coordinate('x')?, coordinate('y')?, coordinate('z')?))
     }
 
     /// A number in its range. One that is not is noted and read as NaN: the description is dropped then, and NaN
     /// fails no further check.
-    fn number(&mut self, what: &str, range: &Range) -> Result<f64, Stop> {
-        let word = self.value_word(what, range.words)?;
-        match word.text.parse::<f64>() {
-            Ok(number) if range.contains(number) => return Ok(number),
-            _ => {
-                // Within a list of bare numbers, a word may be what follows the list.
-                let too_many = self.in_list && !is_number(word.text);
-                let note = self.announced.clone().filter(|_| too_many);
-                let problem = not_allowed(word, what, range.words);
-                self.note(Problem { note, ..problem })?;
-            }
+    ///
+    /// Nearly all are, and a large scene has millions: what they are called is put into words for the others only.
+    #[inline]
+    fn number(&mut self, what: impl Display, range: &Range) -> Result<f64, Stop> {
+        let mut ahead = self.words;
+        if let Some(word) = ahead.next()
+            && let Ok(number) = word.text.parse::<f64>()
+            && range.contains(number)
+        {
+            self.words = ahead;
+            self.last = word.span();
+            return Ok(number);
         }
+        self.wrong_number(&what.to_string(), range)
+    }
+
+    #[cold]
+    fn wrong_number(&mut self, what: &str, range: &Range) -> Result<f64, Stop> {
+        let word = self.value_word(what, range.words)?;
+        // Within a list of bare numbers, a word may be what follows the list.
+        let too_many = self.in_list && !is_number(word.text);
+        let note = self.said_count().filter(|_| too_many);
+        self.note(Problem { note, ..not_allowed(word, what, range.words) })?;
         Ok(f64::NAN)
     }
 
@@ -238,7 +259,7 @@ impl<'a> Parser<'a> {
             Ok(number) if (low..=high).contains(&number) => Ok(number),
             _ => {
                 let problem = not_allowed(word, what, &words);
-                self.note(Problem { note: self.announced.clone(), ..problem })?;
+                self.note(Problem { note: self.said_count(), ..problem })?;
                 Err(Stop::Lost)
             }
         }
@@ -248,13 +269,20 @@ impl<'a> Parser<'a> {
     fn count(&mut self, item: &str, most: u32) -> Result<u32, Stop> {
         let what = format!("the number of {item}s");
         let count = self.whole(&what, 0, most)?;
-        self.announced = Some(format!("{what} is given as {count} in line {}", self.line(self.last.start)));
+        self.announced = Some(Announced { what, count, at: self.last.start });
         Ok(count)
+    }
+
+    /// The last count with its line, in words.
+    fn said_count(&self) -> Option<String> {
+        let Announced { what, count, at } = self.announced.as_ref()?;
+        let line = self.text[..*at].matches('\n').count() + 1;
+        Some(format!("{what} is given as {count} in line {line}"))
     }
 
     /// The next word, which should be a value and not the start of an object.
     fn value_word(&mut self, what: &str, allowed: &str) -> Result<Word<'a>, Stop> {
-        if let Some(word) = self.words.peek().copied().filter(|word| is_object_word(word.text)) {
+        if let Some(word) = self.peek().filter(|word| is_object_word(word.text)) {
             let message = format!("found {} where {what} should be", quoted(word.text));
             self.fail(word.span(), message, format!("{allowed} is missing before this"))?;
             return Err(Stop::AtObject);
@@ -263,6 +291,11 @@ impl<'a> Parser<'a> {
             Some(word) => Ok(word),
             None => self.ended(what, allowed),
         }
+    }
+
+    fn peek(&self) -> Option<Word<'a>> {
+        let mut ahead = self.words;
+        ahead.next()
     }
 
     fn next(&mut self) -> Option<Word<'a>> {
@@ -280,8 +313,10 @@ impl<'a> Parser<'a> {
     /// Passes over the numbers of an object of unknown kind, up to the next object. Any other word would be read as
     /// what it is not, and so would a word of prose that happens to name an object.
     fn skip_to_object(&mut self) -> Result<(), Stop> {
-        while self.words.next_if(|word| is_number(word.text)).is_some() {}
-        let mut ahead = self.words.clone();
+        while self.peek().is_some_and(|word| is_number(word.text)) {
+            self.words.next();
+        }
+        let mut ahead = self.words;
         let starts_object = ahead.next().is_some_and(|word| is_object_word(word.text))
             && ahead.next().is_some_and(|word| is_number(word.text));
         if starts_object { Ok(()) } else { Err(Stop::Lost) }
@@ -289,7 +324,7 @@ impl<'a> Parser<'a> {
 
     /// Prose may follow the last number. A number there is more likely one that some count left out.
     fn check_rest(&mut self) {
-        if let Some(word) = self.words.peek().copied().filter(|word| is_number(word.text)) {
+        if let Some(word) = self.peek().filter(|word| is_number(word.text)) {
             let message = format!("found {} after the last number of the scene", quoted(word.text));
             self.warn(Problem::warning(word.span(), message, "this and all that follows is not read"));
         }
@@ -320,10 +355,6 @@ impl<'a> Parser<'a> {
         self.warnings
     }
 
-    fn line(&self, byte: usize) -> usize {
-        self.text[..byte].matches('\n').count() + 1
-    }
-
     fn fail(&mut self, span: Span<usize>, message: String, label: impl Into<String>) -> Result<(), Stop> {
         self.note(Problem::error(span, message, label))
     }
@@ -335,7 +366,7 @@ impl<'a> Parser<'a> {
         message: String,
         label: impl Into<String>,
     ) -> Result<(), Stop> {
-        let note = self.announced.clone();
+        let note = self.said_count();
         self.note(Problem { note, ..Problem::error(span, message, label) })
     }
 

@@ -68,9 +68,9 @@ impl Source {
         if metadata.len() > MAX_BYTES {
             return Err(SceneError::TooLarge(path.to_owned()));
         }
-        let mut bytes = Vec::new();
+        // Not longer than MAX_BYTES, but it may grow while it is read.
+        let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0));
         let file = File::open(path).map_err(unreadable)?;
-        // The file may grow while it is read.
         let length = file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
         if length as u64 > MAX_BYTES {
             return Err(SceneError::TooLarge(path.to_owned()));

@@ -39,33 +39,40 @@ fn orders() -> impl Iterator<Item = Order> {
 fn spawn_board(world: &mut World, order: Order, board: &BoardDescription) {
     let shape = Checkerboard { cell: board.cell };
     let mut entity = world.spawn((shape, order, Ambient(board.ambient), Diffuse(board.diffuse)));
-    insert_mirror(&mut entity, board.reflection);
+    if let Some(mirror) = mirror(board.reflection) {
+        entity.insert(mirror);
+    }
 }
 
 fn spawn_object(world: &mut World, order: Order, object: &ObjectDescription) {
     let surface = &object.surface;
-    let mut entity = world.spawn((
-        Position(object.position),
-        order,
-        Color(surface.color),
-        Ambient(surface.ambient),
-        Diffuse(surface.diffuse),
-    ));
+    let place = (Position(object.position), order);
+    let look = (Color(surface.color), Ambient(surface.ambient), Diffuse(surface.diffuse));
     match object.shape {
-        ShapeDescription::Sphere { radius } => entity.insert(Sphere { radius }),
-        ShapeDescription::Cube { side } => entity.insert(Cube { side }),
-        ShapeDescription::Pyramid { width, height } => entity.insert(Pyramid { width, height }),
-    };
-    if surface.specular != 0.0 {
-        entity.insert(Gloss { specular: surface.specular, shininess: surface.shininess });
+        ShapeDescription::Sphere { radius } => {
+            spawn_with_effects(world, (Sphere { radius }, place, look), surface);
+        }
+        ShapeDescription::Cube { side } => spawn_with_effects(world, (Cube { side }, place, look), surface),
+        ShapeDescription::Pyramid { width, height } => {
+            spawn_with_effects(world, (Pyramid { width, height }, place, look), surface);
+        }
     }
-    insert_mirror(&mut entity, surface.reflection);
 }
 
-fn insert_mirror(entity: &mut EntityWorldMut<'_>, reflection: f64) {
-    if reflection != 0.0 {
-        entity.insert(Mirror(reflection));
-    }
+/// Spawns an object with all that it will have: one that gains components later is moved from table to table.
+fn spawn_with_effects(world: &mut World, body: impl Bundle, surface: &SurfaceDescription) {
+    let SurfaceDescription { specular, shininess, .. } = *surface;
+    let gloss = (specular != 0.0).then_some(Gloss { specular, shininess });
+    match (gloss, mirror(surface.reflection)) {
+        (None, None) => world.spawn(body),
+        (Some(gloss), None) => world.spawn((body, gloss)),
+        (None, Some(mirror)) => world.spawn((body, mirror)),
+        (Some(gloss), Some(mirror)) => world.spawn((body, gloss, mirror)),
+    };
+}
+
+fn mirror(reflection: f64) -> Option<Mirror> {
+    (reflection != 0.0).then_some(Mirror(reflection))
 }
 
 fn spawn_light(world: &mut World, order: Order, light: &LightDescription, spot: Option<&SpotDescription>) {

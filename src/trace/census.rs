@@ -3,7 +3,8 @@
 use crate::effects::{Effect, EffectSet};
 use crate::geometry::Real;
 
-use super::{SceneTables, ShapeColumns, SurfaceTable};
+use super::air::size;
+use super::{MovingRow, SceneTables, ShapeColumns, SurfaceTable};
 
 /// An effect that some row asks for, or could.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +55,18 @@ impl<T: Real> SceneTables<T> {
             Effect::Texture => self.boards.shapes.textures.size(),
             Effect::Falloff => self.lights.falloff.size(),
             Effect::SpotCone => self.lights.cone.size(),
+            Effect::LightColor => self.lights.color.size(),
+            Effect::Directional => self.lights.toward.size(),
+            Effect::AreaLight => self.lights.ball.size(),
+            Effect::Background => size(self.air.background.as_ref()),
+            Effect::Fog => size(self.air.haze.as_ref()),
+            Effect::Glass => self.over_surfaces(|surfaces| surfaces.glass.size()),
+            Effect::Absorption => self.over_surfaces(|surfaces| surfaces.absorption.size()),
+            Effect::TextureFilter => self.boards.shapes.texture_filter_size(),
+            Effect::CheckerFilter => self.boards.shapes.checker_filters.size(),
+            Effect::MotionBlur => (self.moving.len(), self.moving.capacity() * size_of::<MovingRow<T>>()),
+            // The camera's, see `CameraEffects::count`.
+            Effect::Aperture | Effect::Exposure | Effect::Srgb => (0, 0),
         };
         EffectCount { effect, rows, bytes }
     }

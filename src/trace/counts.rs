@@ -9,8 +9,17 @@ pub struct RayCounts {
     pub primary: u64,
     /// Towards a light.
     pub shadow: u64,
-    /// Off a mirror.
+    /// Off a mirror or off glass.
     pub mirror: u64,
+    /// Into glass or out of it.
+    pub refracted: u64,
+}
+
+impl RayCounts {
+    /// Rays of every kind.
+    pub fn total(&self) -> u64 {
+        self.primary + self.shadow + self.mirror
+    }
 }
 
 /// What was done for some samples of pixels.
@@ -40,6 +49,7 @@ impl AddAssign for Counts {
         self.rays.primary += other.rays.primary;
         self.rays.shadow += other.rays.shadow;
         self.rays.mirror += other.rays.mirror;
+        self.rays.refracted += other.rays.refracted;
         self.non_finite += other.non_finite;
     }
 }

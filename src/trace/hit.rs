@@ -77,6 +77,15 @@ impl<T> Hit<T> {
             Side::Inside => Departure::Inward(self.object, self.crossing.face),
         }
     }
+
+    /// How a ray leaves that goes on through the surface.
+    pub(super) fn passage(&self) -> Departure {
+        match (self.object.kind, self.crossing.side) {
+            // A board has no inside.
+            (Kind::Board, _) | (_, Side::Inside) => Departure::Outward(self.object),
+            (_, Side::Outside) => Departure::Inward(self.object, self.crossing.face),
+        }
+    }
 }
 
 impl Departure {

@@ -2,14 +2,18 @@
 
 use crate::effects::{Effect, EffectSet};
 
+/// Effects that are no work of a kernel: objects are moved before it, and light becomes bytes after it.
+const ELSEWHERE: EffectSet = EffectSet::of(&[Effect::MotionBlur, Effect::Srgb]);
+
 /// Code to trace with, compiled for a set of effects: what is not in the set is not in the code. Each kernel can
 /// trace all that the ones before it can, to the same bits.
+///
+/// A kernel between the first two, with gloss and mirrors alone, saved 1.3 % of the instructions of a picture that asks for
+/// no more, and is not worth its copies; the first saves 4.7 % of one that asks for nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kernel {
     /// Coloured surfaces under plain lights, in packets.
     Plain,
-    /// Surfaces with gloss and mirrors as well, in packets.
-    Polished,
     /// The effects that a scene file can ask for, in packets.
     Assignment,
     /// Every effect, ray by ray.
@@ -18,20 +22,20 @@ pub enum Kernel {
 
 impl Kernel {
     /// Every kernel, the smallest first.
-    pub const ALL: [Self; 4] = [Self::Plain, Self::Polished, Self::Assignment, Self::Everything];
+    pub const ALL: [Self; 3] = [Self::Plain, Self::Assignment, Self::Everything];
 
     /// The effects that it is compiled for.
     pub const fn effects(self) -> EffectSet {
         match self {
-            Self::Plain => EffectSet::NONE,
-            Self::Polished => EffectSet::of(&[Effect::Gloss, Effect::Mirror]),
+            Self::Plain => ELSEWHERE,
             Self::Assignment => EffectSet::of(&[
                 Effect::Gloss,
                 Effect::Mirror,
                 Effect::Texture,
                 Effect::Falloff,
                 Effect::SpotCone,
-            ]),
+            ])
+            .union(ELSEWHERE),
             Self::Everything => EffectSet::ALL,
         }
     }

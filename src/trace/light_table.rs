@@ -1,6 +1,6 @@
 //! Lights.
 
-use crate::effects::Cone;
+use crate::effects::{Ball, Cone, Rgb};
 use crate::geometry::{Real, Vector};
 
 use super::EffectColumn;
@@ -14,10 +14,16 @@ pub struct LightTable<T> {
     pub falloff: EffectColumn<T>,
     /// Cones, for spotlights.
     pub cone: EffectColumn<Cone<T>>,
+    /// Colours, for lights that are not white.
+    pub color: EffectColumn<Rgb<T>>,
+    /// Directions to lights that are infinitely far away, of length 1.
+    pub toward: EffectColumn<Vector<T>>,
+    /// Extents, for lights that are more than a point.
+    pub ball: EffectColumn<Ball<T>>,
 }
 
 /// One light.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct LightRow<T> {
     /// Position.
     pub position: Vector<T>,
@@ -25,6 +31,12 @@ pub struct LightRow<T> {
     pub falloff: Option<T>,
     /// Cone, unless it would take nothing away.
     pub cone: Option<Cone<T>>,
+    /// Colour, unless it is white.
+    pub color: Option<Rgb<T>>,
+    /// Where it is seen from everywhere (unit), if it is infinitely far away.
+    pub toward: Option<Vector<T>>,
+    /// Extent, unless it is a point.
+    pub ball: Option<Ball<T>>,
 }
 
 impl<T: Real> LightTable<T> {
@@ -33,6 +45,9 @@ impl<T: Real> LightTable<T> {
         self.position.push(light.position);
         self.falloff.push(light.falloff);
         self.cone.push(light.cone);
+        self.color.push(light.color);
+        self.toward.push(light.toward);
+        self.ball.push(light.ball);
     }
 
     /// Number of lights.
@@ -52,6 +67,9 @@ impl<T: Real> LightTable<T> {
             position: self.position.get(row),
             falloff: self.falloff.get(row).copied(),
             cone: self.cone.get(row).copied(),
+            color: self.color.get(row).copied(),
+            toward: self.toward.get(row).copied(),
+            ball: self.ball.get(row).copied(),
         }
     }
 }

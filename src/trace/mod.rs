@@ -4,14 +4,18 @@
 //! from tables that do not change under it, so every pixel is a pure function of tables, camera and level, and
 //! the picture is the same for every tiling and number of threads.
 
+mod air;
 mod camera;
+mod camera_effects;
 mod census;
 mod closest;
 mod counts;
 mod effect_column;
+mod filtered_color;
 mod hit;
 mod kernel;
 mod light_table;
+mod motion;
 mod occlusion;
 mod packet;
 mod radiance;
@@ -26,7 +30,9 @@ mod tables;
 mod tile;
 mod tree;
 
+pub use air::Air;
 pub use camera::{CameraRay, CameraRays};
+pub use camera_effects::CameraEffects;
 pub use census::{EffectCount, TableCount};
 pub use closest::closest_hit;
 pub use counts::{Counts, RayCounts};
@@ -34,16 +40,18 @@ pub use effect_column::EffectColumn;
 pub use hit::{Departure, Hit, Kind, ObjectId};
 pub use kernel::Kernel;
 pub use light_table::{LightRow, LightTable};
+pub use motion::MovingRow;
 pub use occlusion::is_occluded;
 pub use radiance::radiance;
 pub use samples::{SampleGrid, SamplePoint};
-pub use sequence::{SampleId, Sequence};
+pub use sequence::{Purpose, SampleId, Sequence};
 pub use shape_columns::{
-    BoardColumns, BoardTexture, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
+    BoardColumns, BoardPaint, BoardTexture, CubeColumns, ImageFilter, PyramidColumns, ShapeColumns,
+    SphereColumns,
 };
 pub use simd::Simd;
 pub use stream::Query;
-pub use surface_table::{GlossRow, SurfaceRow, SurfaceTable};
+pub use surface_table::{GlassRow, GlossRow, SurfaceRow, SurfaceTable};
 pub use tables::{SceneTables, ShapeTable, Trees};
 pub use tile::Exposure;
 pub use tree::{Fork, Packed, SMALLEST_TREE, Sequential, Tree, refit_tree};

@@ -1,57 +1,174 @@
 //! The recursion.
 
-use crate::effects::{Rgb, reflect};
-use crate::geometry::{Convex, Ray, Real, SurfacePoint};
+use crate::effects::{PixelCone, Rgb, left_by, reflect, split, split_at_sheet};
+use crate::geometry::{Convex, Ray, Real, Side, SurfacePoint, Vector};
 
-use super::shade::{Shaded, own_color, shade_local};
-use super::{Counts, Departure, Hit, Kind, SampleId, SceneTables, ShapeColumns, closest_hit};
+use super::filtered_color::{PixelSpot, filtered_color};
+use super::shade::{Lighting, Look, Shaded};
+use super::{
+    CameraRay, Counts, Departure, Hit, Kind, SampleId, SceneTables, ShapeColumns, SurfaceRow, closest_hit,
+};
 
-/// The radiance that arrives along a ray (unit direction) from surfaces up to `reach`, followed through mirrors for
-/// at most `level` rays in all (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
+/// Where glass splits a ray in two, no part is followed of which less than this, in every channel, would reach the pixel.
+/// The parts of a ray are together no stronger than it is, so there are never more than 3 * 4096, at any level.
+const SMALLEST_PART: f64 = 1.0 / 4096.0;
+
+/// The radiance that arrives along a ray of the camera from surfaces within its reach, followed through mirrors and glass
+/// for at most `level` rays in a row (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
 /// Not clamped. The caller counts the ray itself.
 ///
-/// Every surface sends on at most one ray, so the recursion `local + r * (local + r * ...)` is a loop that carries
-/// the product of the reflectances: no level overflows a stack.
+/// The recursion `local + r * (local + r * ...)` is a loop that carries the product of the shares: no level overflows a
+/// stack. Glass sends on two rays; one of them waits, so that at most one does for each ray in a row.
 #[inline(never)]
 pub fn radiance<T: Real>(
     tables: &SceneTables<T>,
-    ray: Ray<T>,
-    reach: T,
+    start: CameraRay<T>,
     level: u32,
-    _sample: SampleId,
+    sample: SampleId,
     counts: &mut Counts,
 ) -> Rgb<T> {
-    let mut sum = Rgb::BLACK;
-    let mut weight = T::ONE;
-    let mut ray = ray;
-    let mut reach = reach;
-    let mut departure = Departure::Free;
-    for remaining in (0..level).rev() {
-        let Some(hit) = closest_hit(tables, &ray, &departure, reach) else {
-            break;
+    let Some(remaining) = level.checked_sub(1) else { return Rgb::BLACK };
+    let CameraRay { ray, reach, cone } = start;
+    let first = Path { ray, reach, cone, departure: Departure::Free, weight: Rgb::WHITE, remaining };
+    let mut walk = Walk { tables, sample, rays: 0, sum: Rgb::BLACK, waiting: Vec::new() };
+    let mut next = Some(first);
+    while let Some(path) = next {
+        next = walk.follow(&path, counts).or_else(|| walk.waiting.pop());
+    }
+    walk.sum
+}
+
+/// A ray on its way, and what becomes of the light that it finds.
+#[derive(Clone, Copy)]
+struct Path<T> {
+    ray: Ray<T>,
+    reach: T,
+    cone: PixelCone<T>,
+    departure: Departure,
+    /// Share of the light in the pixel.
+    weight: Rgb<T>,
+    /// Rays that may follow this one in a row.
+    remaining: u32,
+}
+
+/// All rays of one sample.
+struct Walk<'a, T: Real> {
+    tables: &'a SceneTables<T>,
+    sample: SampleId,
+    /// Rays so far.
+    rays: u32,
+    sum: Rgb<T>,
+    waiting: Vec<Path<T>>,
+}
+
+/// How much of the light goes on where.
+struct Onward<T> {
+    reflected: T,
+    refracted: Option<(T, Vector<T>)>,
+}
+
+impl<T: Real> Walk<'_, T> {
+    /// Adds the light that one ray finds, and says how it goes on.
+    #[inline(always)]
+    fn follow(&mut self, path: &Path<T>, counts: &mut Counts) -> Option<Path<T>> {
+        let tables = self.tables;
+        self.rays += 1;
+        let Some(hit) = closest_hit(tables, &path.ray, &path.departure, path.reach) else {
+            self.sum += tables.air.beyond(path.ray.direction) * path.weight;
+            return None;
         };
-        let at = locate(tables, &hit, &ray);
-        let shaded = Shaded::new(&hit, at);
         let (surfaces, row) = tables.surface(hit.object);
         let surface = surfaces.row(row);
-        let reflectance = surface.mirror.filter(|_| remaining > 0);
-        // One reflected direction serves gloss and mirror; a surface with neither never computes it.
-        let needs_mirrored = surface.gloss.is_some() || reflectance.is_some();
-        let mirrored = if needs_mirrored { reflect(ray.direction, shaded.normal) } else { ray.direction };
-        let own = own_color(tables, hit.object, surface.color, shaded.point);
-        sum += shade_local(tables, &shaded, &surface, own, mirrored, counts) * weight;
-
-        let Some(reflectance) = reflectance else { break };
-        weight *= reflectance;
-        if weight == T::ZERO {
-            break;
+        let weight = self.dim(path, &hit, &surface);
+        if weight == Rgb::BLACK {
+            return None;
         }
-        counts.rays.mirror += 1;
-        ray = Ray { origin: shaded.point, direction: mirrored };
-        reach = T::INFINITY;
-        departure = shaded.departure;
+        let direction = path.ray.direction;
+        let shaded = Shaded::new(&hit, locate(tables, &hit, &path.ray));
+        let onward = Onward::new(&surface, &hit, shaded.normal, path);
+        // One reflected direction serves gloss and mirrors; a surface with neither never computes it.
+        let needs_mirrored = surface.gloss.is_some() || onward.reflected != T::ZERO;
+        let mirrored = if needs_mirrored { reflect(direction, shaded.normal) } else { direction };
+        let cone = path.cone.after(hit.crossing.t);
+        let own = filtered_color(
+            tables,
+            hit.object,
+            surface.color,
+            PixelSpot { point: shaded.point, direction, cone },
+        );
+        let look = Look { sample: self.sample, ray: self.rays };
+        let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
+        self.sum += lighting.shade(own, counts) * weight;
+
+        let leave = |direction, departure, share: T| Path {
+            ray: Ray { origin: shaded.point, direction },
+            reach: T::INFINITY,
+            cone,
+            departure,
+            weight: weight * share,
+            remaining: path.remaining.wrapping_sub(1),
+        };
+        let reflected = leave(mirrored, shaded.departure, onward.reflected);
+        match onward.refracted {
+            None => {
+                (reflected.weight != Rgb::BLACK).then_some(reflected).inspect(|_| counts.rays.mirror += 1)
+            }
+            Some((share, refracted)) => self.part(reflected, leave(refracted, hit.passage(), share), counts),
+        }
     }
-    sum
+
+    /// What is left of a ray's light on the way to what it met; what fog adds to it is added.
+    #[inline(always)]
+    fn dim(&mut self, path: &Path<T>, hit: &Hit<T>, surface: &SurfaceRow<T>) -> Rgb<T> {
+        let distance = hit.crossing.t;
+        if surface.glass.is_some() && hit.crossing.side == Side::Inside {
+            return surface
+                .absorption
+                .map_or(path.weight, |absorption| path.weight * left_by(absorption, distance));
+        }
+        let Some(haze) = self.tables.air.haze else { return path.weight };
+        let left = haze.left_after(distance);
+        self.sum += haze.color * path.weight * (T::ONE - left);
+        path.weight * left
+    }
+
+    /// Of the two rays that glass makes of one, the first to follow; the other one waits.
+    fn part(&mut self, reflected: Path<T>, refracted: Path<T>, counts: &mut Counts) -> Option<Path<T>> {
+        let [has_reflected, has_refracted] = [&reflected, &refracted].map(|path| path.weight != Rgb::BLACK);
+        let smallest = if has_reflected && has_refracted { T::from_f64(SMALLEST_PART) } else { T::ZERO };
+        let reflected = Some(reflected).filter(|path| has_reflected && path.weight.largest() >= smallest);
+        let refracted = Some(refracted).filter(|path| has_refracted && path.weight.largest() >= smallest);
+        counts.rays.mirror += u64::from(reflected.is_some());
+        counts.rays.refracted += u64::from(refracted.is_some());
+        if reflected.is_some() {
+            self.waiting.extend(refracted);
+            reflected
+        } else {
+            refracted
+        }
+    }
+}
+
+impl<T: Real> Onward<T> {
+    #[inline(always)]
+    fn new(surface: &SurfaceRow<T>, hit: &Hit<T>, normal: Vector<T>, path: &Path<T>) -> Self {
+        if path.remaining == 0 {
+            return Self { reflected: T::ZERO, refracted: None };
+        }
+        let mirror = surface.mirror.unwrap_or(T::ZERO);
+        let Some(glass) = surface.glass else { return Self { reflected: mirror, refracted: None } };
+        let direction = path.ray.direction;
+        let parts = match (hit.object.kind, hit.crossing.side) {
+            (Kind::Board, _) => split_at_sheet(direction, normal, T::ONE / glass.index),
+            (_, Side::Outside) => split(direction, normal, T::ONE / glass.index),
+            (_, Side::Inside) => split(direction, normal, glass.index),
+        };
+        let share = glass.transmission * (T::ONE - parts.reflected);
+        Self {
+            reflected: mirror + glass.transmission * parts.reflected,
+            refracted: parts.refracted.map(|direction| (share, direction)),
+        }
+    }
 }
 
 /// The surface point of a hit.

@@ -41,16 +41,26 @@ impl SampleGrid {
     pub fn point(self, pass: u32) -> SamplePoint {
         let side = self.side;
         let (round, turn) = (pass / side % side, pass % side);
-        let column = turn * self.stride();
-        let row = (column % side) * self.stride() + round;
+        let column = turn * stride(side);
+        let row = (column % side) * stride(side) + round;
         SamplePoint { column: (side / 2 + column) % side, row: (side / 2 + row) % side }
     }
 
-    /// A step near the golden section of the side, and prime to it, so that it meets every column.
-    fn stride(self) -> u32 {
-        let section = (self.side * 5 / 8).max(1);
-        (section..).find(|&stride| greatest_common_divisor(stride, self.side) == 1).unwrap_or(1)
+    /// The moment of a pass, as a share of the time that all passes take together, 0 to 1: the middle of a part of its
+    /// own, of as many equal parts as there are passes. Those of passes that follow each other lie far apart.
+    pub fn moment(self, pass: u32) -> f64 {
+        let count = self.count();
+        let part = u64::from(pass) * u64::from(stride(count)) % u64::from(count);
+        // Begins with the middle one, so that a single sample shows the middle of the time.
+        let part = (part + u64::from(count / 2)) % u64::from(count);
+        (f64::from(u32::try_from(part).unwrap_or(0)) + 0.5) / f64::from(count)
     }
+}
+
+/// A step near the golden section of a number, and prime to it, so that it meets every number below.
+fn stride(count: u32) -> u32 {
+    let section = (count * 5 / 8).max(1);
+    (section..).find(|&stride| greatest_common_divisor(stride, count) == 1).unwrap_or(1)
 }
 
 fn greatest_common_divisor(a: u32, b: u32) -> u32 {
@@ -90,6 +100,21 @@ mod tests {
             for round in points(SampleGrid::new(side)).chunks(side as usize) {
                 assert_eq!(distinct(round.iter().map(|point| point.row)), side as usize, "side {side}");
                 assert_eq!(distinct(round.iter().map(|point| point.column)), side as usize, "side {side}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_moments_of_all_passes_are_evenly_spaced() {
+        for side in 1..=64 {
+            let grid = SampleGrid::new(side);
+            let mut moments: Vec<f64> = (0..grid.count()).map(|pass| grid.moment(pass)).collect();
+            if side % 2 == 1 {
+                assert_eq!(moments[0], 0.5, "side {side}");
+            }
+            moments.sort_by(f64::total_cmp);
+            for (part, moment) in (0..grid.count()).zip(moments) {
+                assert_eq!(moment, (f64::from(part) + 0.5) / f64::from(grid.count()), "side {side}");
             }
         }
     }

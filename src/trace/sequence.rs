@@ -16,6 +16,25 @@ pub struct SampleId {
     pub index: u32,
 }
 
+/// What something is drawn for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Where a ray passes the camera's lens.
+    Lens,
+    /// Where on a light a shadow ray ends, for numbered pairs of ray and light.
+    Light(u32),
+}
+
+impl Purpose {
+    /// A number of its own.
+    const fn number(self) -> u32 {
+        match self {
+            Self::Lens => 0,
+            Self::Light(pair) => pair.wrapping_add(1),
+        }
+    }
+}
+
 /// A sequence of points in the unit square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sequence {
@@ -23,9 +42,9 @@ pub struct Sequence {
 }
 
 impl SampleId {
-    /// The sequence of this sample's pixel for one purpose: others have other numbers and are independent of it.
-    pub fn sequence(self, purpose: u32) -> Sequence {
-        Sequence { seed: mix(mix(mix(purpose, 0), self.column), self.row) }
+    /// The sequence of this sample's pixel for one purpose: others are independent of it.
+    pub fn sequence(self, purpose: Purpose) -> Sequence {
+        Sequence { seed: mix(mix(mix(purpose.number(), 0), self.column), self.row) }
     }
 }
 
@@ -113,7 +132,7 @@ mod tests {
     #[test]
     fn both_precisions_draw_the_same_points_below_one() {
         for number in 0..10_000 {
-            let sequence = SampleId { column: 3, row: 5, index: 0 }.sequence(7);
+            let sequence = SampleId { column: 3, row: 5, index: 0 }.sequence(Purpose::Light(5));
             let [x, y]: [f64; 2] = sequence.point(number);
             let [x_single, y_single]: [f32; 2] = sequence.point(number);
             assert_eq!((x, y), (f64::from(x_single), f64::from(y_single)));
@@ -123,7 +142,8 @@ mod tests {
 
     #[test]
     fn pixels_and_purposes_have_sequences_of_their_own() {
-        let at = |column, row, purpose| SampleId { column, row, index: 0 }.sequence(purpose).seed;
+        let at =
+            |column, row, purpose| SampleId { column, row, index: 0 }.sequence(Purpose::Light(purpose)).seed;
         let mut seeds: Vec<_> = (0..20_u32.pow(3)).map(|n| at(n % 20, n / 20 % 20, n / 400)).collect();
         seeds.sort_unstable();
         seeds.dedup();
@@ -136,7 +156,8 @@ mod tests {
         let mut filled = std::collections::BTreeSet::new();
         for number in 0..256 {
             let id = SampleId { column: 1, row: 2, index: 0 };
-            let [[a, _], [b, _]] = [1, 2].map(|purpose| id.sequence(purpose).point::<f64>(number));
+            let [[a, _], [b, _]] =
+                [Purpose::Lens, Purpose::Light(0)].map(|purpose| id.sequence(purpose).point::<f64>(number));
             filled.insert((cell(a * 16.0), cell(b * 16.0)));
         }
         assert!(filled.len() > 140, "{} of 256 cells", filled.len());

@@ -1,10 +1,12 @@
 //! The light that a surface point sends back by itself.
 
 use crate::components::Texture;
-use crate::effects::{Rgb, attenuation, cell_point, lambert, phong, texel_index};
+use crate::effects::{Ball, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index};
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
-use super::{Counts, Departure, GlossRow, Hit, Kind, ObjectId, SceneTables, SurfaceRow, is_occluded};
+use super::{
+    Counts, Departure, Hit, Kind, LightRow, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, is_occluded,
+};
 
 /// A surface point as the shading sees it.
 pub(super) struct Shaded<T> {
@@ -28,68 +30,145 @@ impl<T: Real> Shaded<T> {
     }
 }
 
+/// What a surface point is looked at for: samples of lights are drawn for it.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    /// The pixel's sample.
+    pub(super) sample: SampleId,
+    /// Number of the ray that met the point, within the sample.
+    pub(super) ray: u32,
+}
+
+/// The light that reaches a surface point.
+pub(super) struct Lighting<'a, T: Real> {
+    pub(super) tables: &'a SceneTables<T>,
+    pub(super) shaded: &'a Shaded<T>,
+    pub(super) surface: &'a SurfaceRow<T>,
+    /// Unit direction of the viewing ray after reflection; asked for only where the surface has gloss.
+    pub(super) mirrored: Vector<T>,
+    pub(super) look: Look,
+}
+
 /// Sums over all lights that reach a point; not capped.
 #[derive(Clone, Copy)]
 struct LightSums<T> {
-    lambert: T,
-    phong: T,
+    lambert: Rgb<T>,
+    phong: Rgb<T>,
 }
 
-/// Ambient, diffuse and specular radiance of a surface point: `own * (a + d * lambert + s * phong)`. `mirrored` is
-/// the unit direction of the viewing ray after reflection; it is asked for only where the surface has gloss.
-#[inline(always)]
-pub(super) fn shade_local<T: Real>(
-    tables: &SceneTables<T>,
-    shaded: &Shaded<T>,
-    surface: &SurfaceRow<T>,
-    own: Rgb<T>,
-    mirrored: Vector<T>,
-    counts: &mut Counts,
-) -> Rgb<T> {
-    let gloss = surface.gloss;
-    let sums = gather_lights(tables, shaded, gloss, mirrored, counts);
-    let specular = gloss.map_or(T::ZERO, |gloss| gloss.specular * sums.phong);
-    own * ((surface.ambient + surface.diffuse * sums.lambert) + specular)
-}
+impl<T: Real> Lighting<'_, T> {
+    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`.
+    #[inline(always)]
+    pub(super) fn shade(&self, own: Rgb<T>, counts: &mut Counts) -> Rgb<T> {
+        let surface = self.surface;
+        let sums = self.gather(counts);
+        let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
+        own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
+    }
 
-#[inline(always)]
-fn gather_lights<T: Real>(
-    tables: &SceneTables<T>,
-    shaded: &Shaded<T>,
-    gloss: Option<GlossRow<T>>,
-    mirrored: Vector<T>,
-    counts: &mut Counts,
-) -> LightSums<T> {
-    let mut sums = LightSums { lambert: T::ZERO, phong: T::ZERO };
-    for row in 0..tables.lights.len() {
-        let light = tables.lights.row(row);
-        let segment = light.position - shaded.point;
+    #[inline(always)]
+    fn gather(&self, counts: &mut Counts) -> LightSums<T> {
+        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK };
+        for row in 0..self.tables.lights.len() {
+            let light = self.tables.lights.row(row);
+            let color = light.color.unwrap_or(Rgb::WHITE);
+            if color == Rgb::BLACK {
+                continue;
+            }
+            if let Some(toward) = light.toward {
+                self.add_parallel(toward, color, &mut sums, counts);
+            } else if let Some(ball) = light.ball {
+                self.add_ball(row, &light, ball, color, &mut sums, counts);
+            } else {
+                self.add_point(&light, light.position - self.shaded.point, color, &mut sums, counts);
+            }
+        }
+        sums
+    }
+
+    /// Light from `segment` away.
+    #[inline(always)]
+    fn add_point(
+        &self,
+        light: &LightRow<T>,
+        segment: Vector<T>,
+        color: Rgb<T>,
+        sums: &mut LightSums<T>,
+        counts: &mut Counts,
+    ) {
         // 1. Lights behind the surface, or in it (and a light at the very point, which has no direction).
-        if segment.dot(shaded.normal) <= T::ZERO {
-            continue;
+        if segment.dot(self.shaded.normal) <= T::ZERO {
+            return;
         }
         // 2. Lights whose cone does not contain the point.
         if light.cone.is_some_and(|cone| !cone.contains(-segment)) {
-            continue;
+            return;
         }
         // 3. Lights of which nothing arrives from so far.
         let distance_squared = segment.dot(segment);
         let scale = light.falloff.map_or(T::ONE, |falloff| attenuation(distance_squared, falloff));
         if scale == T::ZERO {
-            continue;
+            return;
         }
         // 4. Lights that something hides.
-        counts.rays.shadow += 1;
-        if is_occluded(tables, &Ray { origin: shaded.point, direction: segment }, &shaded.departure) {
-            continue;
-        }
-        let to_light = segment.unit();
-        sums.lambert += lambert(to_light, shaded.normal) * scale;
-        if let Some(gloss) = gloss {
-            sums.phong += phong(mirrored, to_light, gloss.shininess) * scale;
+        if !self.is_hidden(segment, T::ONE, counts) {
+            self.shine(segment.unit(), color * scale, sums);
         }
     }
-    sums
+
+    /// Light from a unit direction.
+    #[inline(always)]
+    fn add_parallel(&self, toward: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>, counts: &mut Counts) {
+        if toward.dot(self.shaded.normal) > T::ZERO && !self.is_hidden(toward, T::INFINITY, counts) {
+            self.shine(toward, color, sums);
+        }
+    }
+
+    /// Light from samples of a ball.
+    #[inline(never)]
+    fn add_ball(
+        &self,
+        row: usize,
+        light: &LightRow<T>,
+        ball: Ball<T>,
+        color: Rgb<T>,
+        sums: &mut LightSums<T>,
+        counts: &mut Counts,
+    ) {
+        let to_center = light.position - self.shaded.point;
+        // At its very centre nothing says which way it faces.
+        if to_center == Vector::default() {
+            return;
+        }
+        let sequence = self.look.sample.sequence(self.purpose(row));
+        let first = self.look.sample.index.wrapping_mul(ball.samples);
+        for number in 0..ball.samples {
+            let on_disk = disk_point(sequence.point(first.wrapping_add(number)));
+            self.add_point(light, ball.point(to_center, on_disk), color * ball.share(), sums, counts);
+        }
+    }
+
+    /// Each pair of ray and light draws points of its own.
+    fn purpose(&self, row: usize) -> Purpose {
+        // Lights are far fewer than 2^32.
+        let [row, lights] = [row, self.tables.lights.len()].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+        Purpose::Light(self.look.ray.wrapping_mul(lights).wrapping_add(row))
+    }
+
+    #[inline(always)]
+    fn is_hidden(&self, segment: Vector<T>, reach: T, counts: &mut Counts) -> bool {
+        counts.rays.shadow += 1;
+        let ray = Ray { origin: self.shaded.point, direction: segment };
+        is_occluded(self.tables, &ray, &self.shaded.departure, reach)
+    }
+
+    #[inline(always)]
+    fn shine(&self, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+        sums.lambert += color * lambert(to_light, self.shaded.normal);
+        if let Some(gloss) = self.surface.gloss {
+            sums.phong += color * phong(self.mirrored, to_light, gloss.shininess);
+        }
+    }
 }
 
 /// The own colour of an object at a point: plain, or the pattern or image of a checkerboard.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::components::Texture;
+use crate::effects::MipChain;
 use crate::geometry::{Convex, CubeShape, PlaneShape, PyramidShape, Real, SphereShape, Vector};
 
 use super::{EffectColumn, Kind};
@@ -22,6 +23,8 @@ pub trait ShapeColumns<T: Real>: Default {
     }
     /// The shape of a row below [`len`](Self::len).
     fn shape(&self, row: usize) -> Self::Shape;
+    /// Gives back memory that no row takes.
+    fn shrink_to_fit(&mut self);
 }
 
 /// A column of vectors.
@@ -49,6 +52,12 @@ impl<T: Real> VectorColumns<T> {
         self.x.len()
     }
 
+    fn shrink_to_fit(&mut self) {
+        self.x.shrink_to_fit();
+        self.y.shrink_to_fit();
+        self.z.shrink_to_fit();
+    }
+
     #[inline(always)]
     pub(super) fn get(&self, row: usize) -> Vector<T> {
         Vector::new(self.x[row], self.y[row], self.z[row])
@@ -74,6 +83,11 @@ impl<T: Real> SphereColumns<T> {
         self.center.replace(row, sphere.center);
         self.radius[row] = sphere.radius;
     }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.center.replace(row, self.center.get(row) + way);
+    }
 }
 
 impl<T: Real> ShapeColumns<T> for SphereColumns<T> {
@@ -87,6 +101,11 @@ impl<T: Real> ShapeColumns<T> for SphereColumns<T> {
     #[inline(always)]
     fn shape(&self, row: usize) -> SphereShape<T> {
         SphereShape { center: self.center.get(row), radius: self.radius[row] }
+    }
+
+    fn shrink_to_fit(&mut self) {
+        self.center.shrink_to_fit();
+        self.radius.shrink_to_fit();
     }
 }
 
@@ -109,6 +128,12 @@ impl<T: Real> CubeColumns<T> {
         self.min.replace(row, cube.min);
         self.max.replace(row, cube.max);
     }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.min.replace(row, self.min.get(row) + way);
+        self.max.replace(row, self.max.get(row) + way);
+    }
 }
 
 impl<T: Real> ShapeColumns<T> for CubeColumns<T> {
@@ -122,6 +147,11 @@ impl<T: Real> ShapeColumns<T> for CubeColumns<T> {
     #[inline(always)]
     fn shape(&self, row: usize) -> CubeShape<T> {
         CubeShape { min: self.min.get(row), max: self.max.get(row) }
+    }
+
+    fn shrink_to_fit(&mut self) {
+        self.min.shrink_to_fit();
+        self.max.shrink_to_fit();
     }
 }
 
@@ -150,6 +180,12 @@ impl<T: Real> PyramidColumns<T> {
         self.half_width[row] = pyramid.half_width;
         self.height[row] = pyramid.height;
     }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.apex.replace(row, self.apex.get(row) + way);
+        self.base[row] += way.z;
+    }
 }
 
 impl<T: Real> ShapeColumns<T> for PyramidColumns<T> {
@@ -169,6 +205,13 @@ impl<T: Real> ShapeColumns<T> for PyramidColumns<T> {
             height: self.height[row],
         }
     }
+
+    fn shrink_to_fit(&mut self) {
+        self.apex.shrink_to_fit();
+        self.base.shrink_to_fit();
+        self.half_width.shrink_to_fit();
+        self.height.shrink_to_fit();
+    }
 }
 
 /// Origin, cell width and images of checkerboards.
@@ -178,14 +221,38 @@ pub struct BoardColumns<T> {
     cell: Vec<T>,
     /// Images on the cells, for boards that carry some.
     pub textures: EffectColumn<BoardTexture>,
+    /// How those are looked up, unless texel by texel.
+    pub texture_filters: EffectColumn<ImageFilter>,
+    /// For boards whose plain cells are averaged.
+    pub checker_filters: EffectColumn<()>,
 }
 
 impl<T: Real> BoardColumns<T> {
-    /// Adds a row: the corner of a white cell with the least coordinates, and the width of the cells.
-    pub fn push(&mut self, origin: Vector<T>, cell: T, texture: Option<BoardTexture>) {
+    /// Adds a row: the corner of a white cell with the least coordinates, the width of the cells, and what is on them.
+    pub fn push(&mut self, origin: Vector<T>, cell: T, paint: BoardPaint) {
         self.origin.push(origin);
         self.cell.push(cell);
-        self.textures.push(texture);
+        self.textures.push(paint.texture);
+        self.texture_filters.push(paint.texture_filter);
+        self.checker_filters.push(paint.has_checker_filter.then_some(()));
+    }
+
+    /// Moves a row.
+    pub(super) fn shift(&mut self, row: usize, way: Vector<T>) {
+        self.origin.replace(row, self.origin.get(row) + way);
+    }
+
+    /// Whether any row has a filter.
+    #[inline(always)]
+    pub(super) fn has_filters(&self) -> bool {
+        !(self.texture_filters.is_empty() && self.checker_filters.is_empty())
+    }
+
+    /// Rows with a texture filter, and the memory that they and their copies of images take.
+    pub(super) fn texture_filter_size(&self) -> (usize, usize) {
+        let (rows, bytes) = self.texture_filters.size();
+        let filters = (0..self.cell.len()).filter_map(|row| self.texture_filters.get(row));
+        (rows, bytes + filters.map(ImageFilter::bytes).sum::<usize>())
     }
 
     /// Origin and cell width of a row.
@@ -207,6 +274,14 @@ impl<T: Real> ShapeColumns<T> for BoardColumns<T> {
     fn shape(&self, row: usize) -> PlaneShape<T> {
         PlaneShape { height: self.origin.get(row).z }
     }
+
+    fn shrink_to_fit(&mut self) {
+        self.origin.shrink_to_fit();
+        self.cell.shrink_to_fit();
+        self.textures.shrink_to_fit();
+        self.texture_filters.shrink_to_fit();
+        self.checker_filters.shrink_to_fit();
+    }
 }
 
 /// The images of a textured checkerboard.
@@ -216,4 +291,39 @@ pub struct BoardTexture {
     pub white: Arc<Texture>,
     /// On black cells.
     pub black: Arc<Texture>,
+}
+
+/// How the images of a checkerboard are looked up.
+#[derive(Clone, Debug)]
+pub enum ImageFilter {
+    /// Between the nearest four texels.
+    Bilinear,
+    /// From smaller copies.
+    Mip {
+        /// Of the image on white cells.
+        white: Arc<MipChain>,
+        /// Of the image on black cells.
+        black: Arc<MipChain>,
+    },
+}
+
+impl ImageFilter {
+    /// Memory held by copies of images.
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Bilinear => 0,
+            Self::Mip { white, black } => white.bytes() + black.bytes(),
+        }
+    }
+}
+
+/// What is on the cells of a checkerboard beyond white and black.
+#[derive(Clone, Debug, Default)]
+pub struct BoardPaint {
+    /// Images.
+    pub texture: Option<BoardTexture>,
+    /// How those are looked up, unless texel by texel.
+    pub texture_filter: Option<ImageFilter>,
+    /// Whether plain cells are averaged over what a pixel covers.
+    pub has_checker_filter: bool,
 }

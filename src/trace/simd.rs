@@ -86,7 +86,6 @@ impl<T: Real> Input<'_, '_, T> {
     fn trace(self) -> Counts {
         match self.kernel {
             Kernel::Plain => self.trace_packets::<{ Kernel::Plain.effects().bits() }>(),
-            Kernel::Polished => self.trace_packets::<{ Kernel::Polished.effects().bits() }>(),
             Kernel::Assignment => self.trace_packets::<{ Kernel::Assignment.effects().bits() }>(),
             Kernel::Everything => self.task.trace_each(self.band),
         }

@@ -10,11 +10,11 @@ use super::{Departure, Hit, SceneTables, Simd};
 /// A ray, and what it may meet.
 #[derive(Clone, Copy, Debug)]
 pub struct Query<T> {
-    /// The ray; for an occlusion the segment, whose far end lies at 1.
+    /// The ray.
     pub ray: Ray<T>,
     /// How it starts.
     pub departure: Departure,
-    /// The largest parameter that counts; an occlusion does not ask for it.
+    /// How far it looks.
     pub reach: T,
 }
 
@@ -29,7 +29,7 @@ impl Simd {
         self.run(ClosestHits { tables, queries, hits });
     }
 
-    /// [`is_occluded`](super::is_occluded) for each segment, in order.
+    /// [`is_occluded`](super::is_occluded) for each ray, in order.
     pub fn occlusions<T: Real>(self, tables: &SceneTables<T>, queries: &[Query<T>], occluded: &mut [bool]) {
         self.run(Occlusions { tables, queries, occluded });
     }
@@ -66,7 +66,7 @@ impl<T: Real> Vectorised for Occlusions<'_, T> {
     fn run(self) {
         let mut stack = None;
         for (query, occluded) in self.queries.iter().zip(self.occluded) {
-            *occluded = is_occluded_with(self.tables, &query.ray, &query.departure, &mut stack);
+            *occluded = is_occluded_with(self.tables, &query.ray, &query.departure, query.reach, &mut stack);
         }
     }
 }

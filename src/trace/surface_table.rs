@@ -15,6 +15,10 @@ pub struct SurfaceTable<T> {
     pub gloss: EffectColumn<GlossRow<T>>,
     /// Reflectance, for surfaces that are mirrors.
     pub mirror: EffectColumn<T>,
+    /// Glass, for surfaces that light passes.
+    pub glass: EffectColumn<GlassRow<T>>,
+    /// Absorption in 1/unit, for glass that takes light away.
+    pub absorption: EffectColumn<Rgb<T>>,
 }
 
 /// One surface.
@@ -30,6 +34,19 @@ pub struct SurfaceRow<T> {
     pub gloss: Option<GlossRow<T>>,
     /// Reflectance, unless it would show nothing.
     pub mirror: Option<T>,
+    /// Glass, unless it would show nothing.
+    pub glass: Option<GlassRow<T>>,
+    /// Absorption in 1/unit, unless it would take nothing away.
+    pub absorption: Option<Rgb<T>>,
+}
+
+/// Glass of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GlassRow<T> {
+    /// Index of refraction inside by that outside.
+    pub index: T,
+    /// Share of what glass shows.
+    pub transmission: T,
 }
 
 /// Gloss of a surface.
@@ -49,6 +66,8 @@ impl<T: Real> SurfaceTable<T> {
         self.diffuse.push(surface.diffuse);
         self.gloss.push(surface.gloss);
         self.mirror.push(surface.mirror);
+        self.glass.push(surface.glass);
+        self.absorption.push(surface.absorption);
     }
 
     /// Writes over a row, if it has the same effects as before.
@@ -56,7 +75,21 @@ impl<T: Real> SurfaceTable<T> {
         self.color[row] = surface.color;
         self.ambient[row] = surface.ambient;
         self.diffuse[row] = surface.diffuse;
-        self.gloss.replace(row, surface.gloss) && self.mirror.replace(row, surface.mirror)
+        self.gloss.replace(row, surface.gloss)
+            && self.mirror.replace(row, surface.mirror)
+            && self.glass.replace(row, surface.glass)
+            && self.absorption.replace(row, surface.absorption)
+    }
+
+    /// Gives back memory that no row takes.
+    pub fn shrink_to_fit(&mut self) {
+        self.color.shrink_to_fit();
+        self.ambient.shrink_to_fit();
+        self.diffuse.shrink_to_fit();
+        self.gloss.shrink_to_fit();
+        self.mirror.shrink_to_fit();
+        self.glass.shrink_to_fit();
+        self.absorption.shrink_to_fit();
     }
 
     /// A row as it was added.
@@ -68,6 +101,8 @@ impl<T: Real> SurfaceTable<T> {
             diffuse: self.diffuse[row],
             gloss: self.gloss.get(row).copied(),
             mirror: self.mirror.get(row).copied(),
+            glass: self.glass.get(row).copied(),
+            absorption: self.absorption.get(row).copied(),
         }
     }
 }

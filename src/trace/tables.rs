@@ -7,7 +7,8 @@ use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape};
 use super::tree::{Fork, SMALLEST_TREE, Tree};
 
 use super::{
-    BoardColumns, CubeColumns, Kind, LightTable, ObjectId, PyramidColumns, SphereColumns, SurfaceTable,
+    Air, BoardColumns, CubeColumns, Kind, LightTable, MovingRow, ObjectId, PyramidColumns, ShapeColumns,
+    SphereColumns, SurfaceTable,
 };
 
 /// All tables of one frame.
@@ -25,6 +26,10 @@ pub struct SceneTables<T: Real> {
     pub trees: Trees<T>,
     /// Lights, in the order in which they are summed.
     pub lights: LightTable<T>,
+    /// What surrounds the objects.
+    pub air: Air<T>,
+    /// Objects that move while the camera looks.
+    pub moving: Vec<MovingRow<T>>,
 }
 
 /// The trees of the tables that have one. No picture depends on them, only its time.
@@ -78,4 +83,13 @@ pub struct ShapeTable<T: Real, C> {
     pub order: Vec<u32>,
     /// Surfaces.
     pub surfaces: SurfaceTable<T>,
+}
+
+impl<T: Real, C: ShapeColumns<T>> ShapeTable<T, C> {
+    /// Gives back memory that no row takes.
+    pub fn shrink_to_fit(&mut self) {
+        self.shapes.shrink_to_fit();
+        self.order.shrink_to_fit();
+        self.surfaces.shrink_to_fit();
+    }
 }

@@ -36,7 +36,8 @@ impl<T: Real> Exposure<'_, T> {
         // The samples of a pixel are the pixel centres of a finer picture.
         let camera = self.camera.refined(self.grid.side());
         let bounds = Bounds::new(self.tables);
-        let task = BandTask { exposure: self, camera: &camera, bounds: &bounds, pass };
+        let gain = camera.effects().gain();
+        let task = BandTask { exposure: self, camera: &camera, bounds: &bounds, pass, gain };
         let mut counts = Counts::default();
         let mut scratch = Scratch::new();
         let left = tile.left();
@@ -60,6 +61,8 @@ pub(super) struct BandTask<'a, T: Real> {
     camera: &'a CameraRays<T>,
     bounds: &'a Bounds<T>,
     pass: u32,
+    /// What all light is multiplied by before it is cut off; packets are for cameras with 1.
+    gain: f64,
 }
 
 impl<T: Real> BandTask<'_, T> {
@@ -108,10 +111,10 @@ impl<T: Real> BandTask<'_, T> {
         }
         let (side, point) = (grid.side(), grid.point(self.pass));
         let sample = SampleId { column, row, index: self.pass };
-        let start = self.camera.ray(column * side + point.column, row * side + point.row);
+        let start = self.camera.sample(column * side + point.column, row * side + point.row, sample);
         counts.rays.primary += 1;
-        let color = radiance(tables, start.ray, start.reach, level, sample, counts);
-        counts.clamp(color.to_f64())
+        let color = radiance(tables, start, level, sample, counts);
+        counts.clamp(color.to_f64().map(|channel| channel * self.gain))
     }
 
     #[inline(always)]

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use crate::components::{CameraPose, Precision, Sampling, Snapshot};
+use crate::effects::EffectSet;
 use crate::scene::{DescribeError, describe};
+use crate::systems::Muted;
 use crate::trace::SampleGrid;
 use crate::whole_file::{WriteError, write_new, write_whole};
 
@@ -26,6 +28,7 @@ pub(super) struct Recipe {
     scene: PathBuf,
     pose: CameraPose,
     sampling: Sampling,
+    muted: EffectSet,
     precision: Precision,
     texture: Vec<std::ffi::OsString>,
     is_edited: bool,
@@ -124,6 +127,7 @@ impl Session {
             scene: self.scene.held_by.clone()?,
             pose,
             sampling,
+            muted: self.world.resource::<Muted>().0,
             precision: self.switches.precision,
             texture: if self.switches.texture { self.scene.texture_arguments.clone() } else { Vec::new() },
             is_edited: self.editor.is_modified(),
@@ -160,9 +164,9 @@ impl Session {
 
 impl Recipe {
     fn command(&self, output: &Path) -> String {
-        let Self { scene, pose, sampling, precision, texture, .. } = self;
-        let (sampling, precision) = (*sampling, *precision);
-        RenderCommand { scene, output, pose, sampling, precision, texture }.to_string()
+        let Self { scene, pose, texture, .. } = self;
+        let (sampling, precision, muted) = (self.sampling, self.precision, self.muted);
+        RenderCommand { scene, output, pose, sampling, precision, muted, texture }.to_string()
     }
 }
 

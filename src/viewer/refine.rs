@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::components::{CameraPose, Lens, Precision, Sampling, Snapshot};
 use crate::preview::Layout;
 use crate::systems::Workers;
-use crate::trace::SampleGrid;
+use crate::trace::{CameraEffects, SampleGrid};
 
 use super::ViewerError;
 use super::live::{Live, LiveRequest, Shown};
@@ -31,6 +31,7 @@ pub(super) struct Refined {
 struct Wanted {
     pose: CameraPose,
     lens: Lens,
+    effects: CameraEffects,
     level: u32,
     side: u32,
     grid: u32,
@@ -110,7 +111,8 @@ impl Session {
             side => side,
         };
         let (revision, precision) = (self.revision(), self.switches.precision);
-        Some(Wanted { pose, lens, level: self.level(), side: self.side, grid, revision, precision })
+        let (effects, level, side) = (self.camera_effects(), self.level(), self.side);
+        Some(Wanted { pose, lens, effects, level, side, grid, revision, precision })
     }
 
     fn take(&mut self, picture: Option<Result<Shown, crate::systems::FrameError>>) {

@@ -7,6 +7,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::components::{CameraPose, Precision, Sampling};
+use crate::effects::EffectSet;
 use crate::scene::Number;
 
 /// `archetrace render` with everything that makes it write the same bytes as a snapshot of the window. As text it is
@@ -23,6 +24,8 @@ pub struct RenderCommand<'a> {
     pub sampling: Sampling,
     /// Precision of the trace.
     pub precision: Precision,
+    /// Effects that are switched off.
+    pub muted: EffectSet,
     /// Arguments about textures, as they were given: `--texture` and what follows. None for plain cells.
     pub texture: &'a [OsString],
 }
@@ -43,6 +46,7 @@ impl fmt::Display for RenderCommand<'_> {
         if self.precision == Precision::F32 {
             write!(f, " --precision=f32")?;
         }
+        self.muted.iter().try_for_each(|effect| write!(f, " --without={}", effect.name()))?;
         self.texture.iter().try_for_each(|argument| write!(f, " {}", Quoted(argument)))
     }
 }

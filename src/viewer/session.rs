@@ -9,6 +9,7 @@ use crate::components::{CameraInput, CameraMove, CameraPose, FrameTime, Home, Le
 use crate::geometry::Real;
 use crate::preview::Layout;
 use crate::systems::{Tables, Workers, control_schedule, extract_schedule, list_schedule, prepare};
+use crate::trace::CameraEffects;
 
 use super::editor::Editor;
 use super::held::Held;
@@ -187,7 +188,15 @@ impl Session {
             Precision::F64 => SharedTables::F64(self.tables::<f64>().scene.clone()),
             Precision::F32 => SharedTables::F32(self.tables::<f32>().scene.clone()),
         };
-        Some(TracedView { tables, pose, lens, level: self.level() })
+        Some(TracedView { tables, pose, lens, effects: self.camera_effects(), level: self.level() })
+    }
+
+    /// What the camera does beyond that of a pinhole.
+    pub(super) fn camera_effects(&self) -> CameraEffects {
+        match self.switches.precision {
+            Precision::F64 => self.tables::<f64>().camera_effects(),
+            Precision::F32 => self.tables::<f32>().camera_effects(),
+        }
     }
 
     /// The object that shows at a pixel of the picture.

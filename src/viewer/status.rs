@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use crate::components::Precision;
 use crate::geometry::Real;
-use crate::trace::{Counts, SceneTables};
+use crate::systems::Tables;
+use crate::trace::Counts;
 
 use super::command::Command;
 use super::commands::Then;
@@ -36,8 +37,8 @@ impl Session {
             ..Status::default()
         };
         match self.switches.precision {
-            Precision::F64 => with_tables(status, &self.tables::<f64>().scene),
-            Precision::F32 => with_tables(status, &self.tables::<f32>().scene),
+            Precision::F64 => with_tables(status, self.tables::<f64>()),
+            Precision::F32 => with_tables(status, self.tables::<f32>()),
         }
     }
 
@@ -59,7 +60,7 @@ impl Session {
     }
 }
 
-fn with_tables<T: Real>(status: Status, tables: &SceneTables<T>) -> Status {
+fn with_tables<T: Real>(status: Status, tables: &Tables<T>) -> Status {
     let effects = tables.effect_counts();
-    Status { effects, tables: tables.table_counts().into_iter().collect(), ..status }
+    Status { effects, tables: tables.scene.table_counts().into_iter().collect(), ..status }
 }

@@ -51,7 +51,11 @@ pub(super) fn view(world: &mut World, precision: Precision) -> TracedView {
         Precision::F32 => SharedTables::F32(extracted::<f32>(world).scene.clone()),
     };
     let (&pose, &lens) = world.query::<(&CameraPose, &Lens)>().single(world).unwrap();
-    TracedView { tables, pose, lens, level: world.resource::<Snapshot>().level }
+    let effects = match precision {
+        Precision::F64 => world.resource::<Tables<f64>>().camera_effects(),
+        Precision::F32 => world.resource::<Tables<f32>>().camera_effects(),
+    };
+    TracedView { tables, pose, lens, effects, level: world.resource::<Snapshot>().level }
 }
 
 fn extracted<T: Real>(world: &mut World) -> &Tables<T> {

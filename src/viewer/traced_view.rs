@@ -7,7 +7,7 @@ use crate::components::{CameraPose, Lens};
 use crate::film::Film;
 use crate::geometry::Real;
 use crate::systems::{Monitor, Workers, trace_pass, trace_picture};
-use crate::trace::{CameraRays, Counts, Exposure, Kernel, SampleGrid, SceneTables};
+use crate::trace::{CameraEffects, CameraRays, Counts, Exposure, Kernel, SampleGrid, SceneTables};
 
 /// Tables of either precision, shared with the World that they were extracted from.
 #[derive(Clone, Debug)]
@@ -27,6 +27,8 @@ pub(crate) struct TracedView {
     pub(crate) pose: CameraPose,
     /// What the camera shows.
     pub(crate) lens: Lens,
+    /// What the camera does beyond that of a pinhole.
+    pub(crate) effects: CameraEffects,
     /// Rays that may follow each other.
     pub(crate) level: u32,
 }
@@ -49,14 +51,14 @@ impl TracedView {
         let pixels = film.side();
         match &self.tables {
             SharedTables::F64(tables) => trace_pass(
-                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
                 pass,
                 film,
                 workers,
                 monitor,
             ),
             SharedTables::F32(tables) => trace_pass(
-                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
                 pass,
                 film,
                 workers,
@@ -76,13 +78,13 @@ impl TracedView {
         let pixels = film.side();
         match &self.tables {
             SharedTables::F64(tables) => trace_picture(
-                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
                 film,
                 workers,
                 monitor,
             ),
             SharedTables::F32(tables) => trace_picture(
-                &self.exposure(tables, &self.rays(pixels), grid, workers.kernel_for(tables.effects())),
+                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
                 film,
                 workers,
                 monitor,
@@ -91,7 +93,11 @@ impl TracedView {
     }
 
     fn rays<T: Real>(&self, pixels: u32) -> CameraRays<T> {
-        CameraRays::new(&traced_pose(&self.pose), &self.lens, pixels)
+        CameraRays::new(&traced_pose(&self.pose), &self.lens, pixels).with_effects(self.effects)
+    }
+
+    fn kernel<T: Real>(&self, tables: &SceneTables<T>, workers: &Workers) -> Kernel {
+        workers.kernel_for(tables.effects().union(self.effects.set()))
     }
 
     fn exposure<'a, T: Real>(

@@ -11,6 +11,7 @@
 
 mod arguments;
 mod check;
+mod effects;
 mod interrupt;
 #[path = "../scenes/mutant.rs"]
 mod mutant;
@@ -30,6 +31,7 @@ mod random;
 #[cfg(feature = "viewer")]
 mod render_command;
 mod scene_files;
+mod selfcheck;
 mod stats;
 mod streams;
 mod textures;

@@ -6,10 +6,11 @@ use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 
 use archetrace::components::{CameraPose, Precision, Sampling, Snapshot};
+use archetrace::effects::{Effect, EffectSet};
 use archetrace::geometry::Real;
 use archetrace::image_file::encode;
 use archetrace::scene::{Source, spawn};
-use archetrace::systems::{Frame, Workers, frame_schedule, prepare};
+use archetrace::systems::{Frame, Muted, Workers, frame_schedule, prepare};
 use archetrace::viewer::RenderCommand;
 use bevy_ecs::prelude::*;
 use glam::{DQuat, DVec3};
@@ -35,6 +36,7 @@ fn command<'a>(scene: &'a Path, output: &'a Path, pose: &'a CameraPose) -> Rende
         pose,
         sampling: Sampling::default(),
         precision: Precision::F64,
+        muted: EffectSet::NONE,
         texture: &[],
     }
 }
@@ -48,7 +50,7 @@ fn run(folder: &Folder, command: &RenderCommand<'_>) {
 }
 
 /// The bytes of the picture of [`SCENE`] that the library makes from this pose.
-fn picture<T: Real>(pose: &CameraPose, snapshot: Snapshot, sampling: Sampling) -> Vec<u8> {
+fn picture<T: Real>(pose: &CameraPose, snapshot: Snapshot, sampling: Sampling, muted: EffectSet) -> Vec<u8> {
     let mut world = World::new();
     spawn(&mut world, &Source::new("scene", SCENE).load().unwrap().description);
     for mut camera in world.query::<&mut CameraPose>().iter_mut(&mut world) {
@@ -56,6 +58,7 @@ fn picture<T: Real>(pose: &CameraPose, snapshot: Snapshot, sampling: Sampling) -
     }
     world.insert_resource(snapshot);
     world.insert_resource(sampling);
+    world.insert_resource(Muted(muted));
     prepare::<T>(&mut world, Workers::new(None).unwrap());
     frame_schedule::<T>().run(&mut world);
     encode(world.resource::<Frame>().traced().unwrap().0, Path::new("picture.bmp")).unwrap()
@@ -69,7 +72,7 @@ fn the_line_writes_the_bytes_of_the_view() {
     for seed in 1..=30 {
         let pose = turned_pose(seed);
         run(&folder, &command(scene, output, &pose));
-        let expected = picture::<f64>(&pose, of_the_scene, Sampling::default());
+        let expected = picture::<f64>(&pose, of_the_scene, Sampling::default(), EffectSet::NONE);
         assert!(folder.read("out.bmp") == expected, "seed {seed}");
     }
 }
@@ -79,13 +82,15 @@ fn what_differs_from_the_scene_is_in_the_line() {
     let folder = Folder::with_scene();
     let pose = turned_pose(31);
     let sampling = Sampling { side: 3 };
+    let muted = EffectSet::of(&[Effect::Mirror, Effect::Falloff]);
     let with_everything = RenderCommand {
         sampling,
+        muted,
         precision: Precision::F32,
         ..command(Path::new("scene.txt"), Path::new("out.bmp"), &pose)
     };
     run(&folder, &with_everything);
-    let expected = picture::<f32>(&pose, Snapshot { pixels: 32, level: 3 }, sampling);
+    let expected = picture::<f32>(&pose, Snapshot { pixels: 32, level: 3 }, sampling, muted);
     assert!(folder.read("out.bmp") == expected);
 }
 
@@ -121,7 +126,8 @@ fn texture_arguments_are_passed_on() {
 fn names_of_every_kind_come_through_the_shell() {
     let folder = Folder::empty();
     let pose = CameraPose::default();
-    let expected = picture::<f64>(&pose, Snapshot { pixels: 32, level: 3 }, Sampling::default());
+    let expected =
+        picture::<f64>(&pose, Snapshot { pixels: 32, level: 3 }, Sampling::default(), EffectSet::NONE);
     for stem in [
         "two words",
         "-starts_with_a_dash",

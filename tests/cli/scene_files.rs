@@ -59,6 +59,21 @@ fn a_file_of_gigabytes_is_no_scene() {
     refused_by_all(&folder, "large.txt", "larger than 268435456 bytes");
 }
 
+#[test]
+fn a_hundred_megabytes_that_are_no_scene_are_refused_in_bounded_memory() {
+    let folder = Folder::empty();
+    let noise = |index: u32| index.wrapping_mul(0x9E37_79B9).to_le_bytes()[3];
+    let noise: Vec<u8> = (0..100_000_000).map(noise).collect();
+    for content in [noise, b"1 ".repeat(50_000_000)] {
+        folder.put("large.txt", content);
+        let run = folder.bash("ulimit -v 1000000; exec $P render large.txt -o out.bmp");
+        assert_eq!(run.code, Some(1));
+        assert!(run.stderr.starts_with("error: "), "{}", &run.stderr[..200]);
+        assert!(run.stderr.len() < 20_000);
+    }
+    assert_eq!(folder.names(), ["large.txt"]);
+}
+
 /// A scene that is refused for what it holds, by every command with the same words.
 fn malformed(content: &[u8]) -> String {
     let folder = Folder::empty();

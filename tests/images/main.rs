@@ -13,6 +13,8 @@
 mod agreement;
 mod closed_forms;
 mod crowds;
+mod gallery;
+mod hard;
 mod metamorphic;
 mod naive;
 mod paths;

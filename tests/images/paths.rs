@@ -11,9 +11,8 @@ use crate::support::case::Case;
 use crate::support::scenes::{full_case, random_case, textured_case};
 use crate::support::tracing::workers;
 
-/// Tables and camera of a World.
-fn extracted<T: Real>(case: &Case) -> World {
-    let mut world = case.world();
+/// With tables and camera.
+fn extracted<T: Real>(mut world: World) -> World {
     prepare::<T>(&mut world, workers(1));
     extract_schedule::<T>().run(&mut world);
     world
@@ -35,16 +34,20 @@ fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>) -> (Vec<[f64; 3]>, Counts) {
         }
         counts.rays.primary += 1;
         let (column, row) = (index % pixels, index / pixels);
-        let start = exposure.camera.ray(column, row);
         let sample = SampleId { column, row, index: 0 };
-        let color = radiance(exposure.tables, start.ray, start.reach, exposure.level, sample, &mut counts);
+        let start = exposure.camera.sample(column, row, sample);
+        let color = radiance(exposure.tables, start, exposure.level, sample, &mut counts);
         color.to_f64().map(|channel| channel.clamp(0.0, 1.0))
     });
     (picture.collect(), counts)
 }
 
 pub(crate) fn check<T: Real>(name: &str, case: &Case) {
-    let world = extracted::<T>(case);
+    check_world::<T>(name, case.world());
+}
+
+pub(crate) fn check_world<T: Real>(name: &str, world: World) {
+    let world = extracted::<T>(world);
     let tables = world.resource::<Tables<T>>();
     let camera = tables.camera.as_ref().unwrap();
     let level = world.resource::<Snapshot>().level;

@@ -17,7 +17,7 @@ fn queries<T: Real>(tables: &SceneTables<T>, count: usize, random: &mut Random) 
     for _ in 0..count {
         let (from, to) = (random.point(80.0), random.point(80.0));
         let ray = Ray { origin: Vector::from_dvec3(from), direction: Vector::from_dvec3(to - from) };
-        queries.push(Query { ray, departure, reach: T::INFINITY });
+        queries.push(Query { ray, departure, reach: T::ONE });
         departure =
             closest_hit(tables, &ray, &departure, T::INFINITY).map_or(Departure::Free, |hit| hit.departure());
     }
@@ -44,7 +44,7 @@ fn check<T: Real>(seed: u64) {
                 let Query { ray, departure, reach } = query;
                 let truth = closest_hit(&plain, ray, departure, *reach);
                 assert_eq!(name(hit), name(truth), "{kind:?}, {}, {simd:?}, {query:?}", T::NAME);
-                let truth = is_occluded(&plain, ray, departure);
+                let truth = is_occluded(&plain, ray, departure, *reach);
                 assert_eq!(occluded, truth, "{kind:?}, {}, {simd:?}, {query:?}", T::NAME);
             }
         }

@@ -1,8 +1,9 @@
 //! All components of an entity, to be taken out of one World and put into another.
 
 use archetrace::components::{
-    Ambient, CameraPose, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Lens, Light, Mirror, Order,
-    Position, Pyramid, Snapshot, Sphere, SpotCone, Textured,
+    Ambient, Aperture, CameraPose, CheckerFilter, Checkerboard, Color, Cube, Diffuse, ExposureStops, Falloff,
+    Gloss, Lens, Light, Mirror, Order, Position, Pyramid, Shutter, Snapshot, Sphere, SpotCone, SrgbTransfer,
+    TextureFilter, Textured, Velocity,
 };
 use bevy_ecs::prelude::*;
 
@@ -48,6 +49,13 @@ parts! {
     spot_cone: SpotCone,
     camera_pose: CameraPose,
     lens: Lens,
+    aperture: Aperture,
+    exposure: ExposureStops,
+    srgb: SrgbTransfer,
+    shutter: Shutter,
+    velocity: Velocity,
+    texture_filter: TextureFilter,
+    checker_filter: CheckerFilter,
 }
 
 /// Every entity that an object, light or camera lives on, in the World's own order.

@@ -6,6 +6,7 @@ use archetrace::components::{
     Ambient, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Light, Mirror, Order, Position, Pyramid,
     Sphere, SpotCone, Textured,
 };
+use archetrace::effects::Effect;
 use archetrace::geometry::Vector;
 use archetrace::systems::{Tables, extract_schedule, prepare};
 use archetrace::trace::{SceneTables, ShapeColumns};
@@ -224,7 +225,10 @@ fn a_component_that_nobody_reads_rebuilds_nothing() {
 fn an_effect_that_no_entity_carries_leaves_no_column() {
     let mut extracted = Extracted::new(textured_case().world());
     let counts = |extracted: &Extracted| extracted.scene().effect_counts();
-    assert!(counts(&extracted).iter().all(|count| count.rows > 0 && count.bytes > 0));
+    let there = [Effect::Gloss, Effect::Mirror, Effect::Texture, Effect::Falloff, Effect::SpotCone];
+    for count in counts(&extracted) {
+        assert_eq!((count.rows > 0, count.bytes > 0), [there.contains(&count.effect); 2].into(), "{count:?}");
+    }
     let entities = crate::support::parts::scene_entities(&mut extracted.world);
     for entity in entities {
         extracted.world.entity_mut(entity).remove::<(Gloss, Mirror, Textured, Falloff, SpotCone)>();

@@ -12,8 +12,11 @@
 mod control_camera;
 mod describe;
 mod edits;
+mod effect_columns;
+mod effects;
 mod extraction;
 mod frames;
 mod problems;
 #[path = "../support/mod.rs"]
 mod support;
+mod toy_effect;

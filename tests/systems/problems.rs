@@ -4,8 +4,8 @@ use core::f64::consts::FRAC_1_SQRT_2;
 use std::sync::Arc;
 
 use archetrace::components::{
-    Ambient, CameraPose, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Lens, Light, Mirror, Position,
-    Pyramid, Sampling, Snapshot, Sphere, SpotCone,
+    Ambient, Aperture, CameraPose, Checkerboard, Color, Cube, Diffuse, ExposureStops, Falloff, Gloss, Lens,
+    Light, Mirror, Position, Pyramid, Sampling, Shutter, Snapshot, Sphere, SpotCone,
 };
 use archetrace::geometry::Real;
 use archetrace::systems::{FrameError, Monitor, frame_schedule, prepare};
@@ -224,6 +224,32 @@ fn a_far_plane_is_beyond_the_near_one() {
     // As the reader of scene files and the documentation of the component say.
     let (_, message) = camera_message(|world| only::<Lens>(world).far = only::<Lens>(world).near / 2.0);
     assert!(message.contains("Lens.far"), "{message}");
+}
+
+#[test]
+fn effects_of_the_camera_must_be_in_their_ranges() {
+    fn check<B: Bundle + Copy>(bundle: B, message: &str) {
+        let (camera, found) = camera_message(|world| {
+            let camera = world.query_filtered::<Entity, With<Lens>>().single(world).unwrap();
+            world.entity_mut(camera).insert(bundle);
+        });
+        assert_eq!(found, format!("entity {camera}: {message}"));
+    }
+    let ratio = "but must be a number from 0 to 1";
+    check(Aperture { radius: -1.0, focus: 4.0 }, &format!("Aperture.radius / focus is -0.25, {ratio}"));
+    check(Aperture { radius: 5.0, focus: 4.0 }, &format!("Aperture.radius / focus is 1.25, {ratio}"));
+    check(Aperture { radius: f64::NAN, focus: 4.0 }, &format!("Aperture.radius / focus is NaN, {ratio}"));
+    check(
+        Aperture { radius: -0.0, focus: -4.0 },
+        "Aperture.focus is -4, but must be a length from 1e-70 to 1e70",
+    );
+    check(Shutter { open: 1.0, close: 0.5 }, "Shutter.close is 0.5, but must not be before Shutter.open, 1");
+    check(
+        Shutter { open: 0.0, close: f64::INFINITY },
+        "Shutter.close is inf, but must be a number from -1e9 to 1e9",
+    );
+    check(ExposureStops(101.0), "ExposureStops is 101, but must be a number from -100 to 100");
+    check(ExposureStops(f64::NAN), "ExposureStops is NaN, but must be a number from -100 to 100");
 }
 
 #[test]

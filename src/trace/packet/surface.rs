@@ -110,7 +110,7 @@ impl<T: Real> SurfaceLanes<T> {
 
     #[inline(always)]
     fn coat<const EFFECTS: u32>(&mut self, surfaces: &SurfaceTable<T>, row: u32, name: u32) {
-        let SurfaceRow { color, ambient, diffuse, gloss, mirror } = surfaces.row(row as usize);
+        let SurfaceRow { color, ambient, diffuse, gloss, mirror, .. } = surfaces.row(row as usize);
         let color = Vector::new(color.r, color.g, color.b);
         let (specular, shininess) =
             gloss.map_or((T::ZERO, T::ZERO), |gloss| (gloss.specular, gloss.shininess));

@@ -76,7 +76,7 @@ pub(super) fn block_tree<T: Real, C>(
                 reach[lane] = nowhere();
                 continue;
             }
-            let mut any = Any { row: NO_ROW };
+            let mut any = Any { row: NO_ROW, reach: T::ONE };
             let ray = TreeRay::new(segment, tree.rounding());
             tree.search::<false>(&ray, departed, &mut any, &mut scratch.stack);
             if any.row != NO_ROW {

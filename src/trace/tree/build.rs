@@ -172,7 +172,7 @@ fn halves<'a>(range: Range<'a>, count: usize, depth: u32, fork: &impl Fork) -> V
     if count == 1 || range.items.len() <= WIDTH {
         return vec![range];
     }
-    let (low, high) = if depth < DEEP { split(range, fork) } else { range.halved() };
+    let (low, high) = if depth < DEEP { split(range) } else { range.halved() };
     let (mut low, high) =
         fork.join(|| halves(low, count / 2, depth, fork), || halves(high, count / 2, depth, fork));
     low.extend(high);
@@ -189,7 +189,7 @@ fn largest_first(range: Range<'_>, depth: u32) -> Vec<Range<'_>> {
             break;
         };
         let range = ranges.swap_remove(index);
-        let (low, high) = if depth < DEEP { split(range, &Sequential) } else { range.halved() };
+        let (low, high) = if depth < DEEP { split(range) } else { range.halved() };
         ranges.push(low);
         ranges.push(high);
     }

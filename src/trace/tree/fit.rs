@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::geometry::{Bounded as _, Bounds3, Real, Vector};
+use crate::geometry::{Bounds3, Real, Vector};
 use crate::trace::ShapeColumns;
 
 use super::build::{Fork, Topology, fill};
@@ -47,40 +47,39 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         let [leaf_of, leaf_parents, parents] = Self::links(&topology, shapes.len());
         let Topology { nodes, leaves: rows } = topology;
         let nodes = nodes.into_iter().map(Node::new).collect();
-        let mut fitted: Vec<Option<Fitted<T, S>>> = vec![None; rows.len()];
-        fill(fork, 0, &mut fitted, &|leaf| Some(fit_leaf(shapes, rows[leaf])));
-        let mut tree = Self {
-            nodes,
-            leaves: Vec::with_capacity(rows.len()),
-            leaf_of,
-            leaf_parents,
-            parents,
-            moved: 0,
-            rounding: T::ZERO,
-        };
-        let mut boxes = Vec::with_capacity(rows.len());
-        for (leaf, bounds, rounding) in fitted.into_iter().flatten() {
-            tree.leaves.push(leaf);
-            boxes.push(bounds);
-            tree.rounding = tree.rounding.at_least(rounding);
-        }
-        tree.fit_nodes(&boxes);
+        let mut leaves: Vec<_> =
+            rows.first().map(|&held| vec![Leaf::of(shapes, held); rows.len()]).unwrap_or_default();
+        fill(fork, 0, &mut leaves, &|leaf| Leaf::of(shapes, rows[leaf]));
+        let mut tree = Self { nodes, leaves, leaf_of, leaf_parents, parents, moved: 0, rounding: T::ZERO };
+        tree.fit_nodes();
         tree
     }
 
     /// Every node from the boxes of its children: the last first, because children come after their parents.
-    fn fit_nodes(&mut self, leaf_boxes: &[Bounds3<T>]) {
+    fn fit_nodes(&mut self) {
         for index in (0..self.nodes.len()).rev() {
             let mut node = self.nodes[index];
             for slot in 0..WIDTH {
                 match Child::of(node.children[slot]) {
                     Child::Node(child) => node.set(slot, &self.nodes[child as usize].around()),
-                    Child::Leaf(leaf) => node.set(slot, &leaf_boxes[leaf as usize]),
+                    Child::Leaf(leaf) => node.set(slot, &self.fit_leaf(leaf)),
                     Child::Nothing => {}
                 }
             }
             self.nodes[index] = node;
         }
+    }
+
+    /// The box around a leaf's shapes with room for their rounding, which is taken account of.
+    fn fit_leaf(&mut self, leaf: u32) -> Bounds3<T> {
+        let block = &self.leaves[leaf as usize].block;
+        let mut around = Bounds3::EMPTY;
+        for slot in 0..WIDTH {
+            let shape = S::unpack(block, slot);
+            around = around.with(&shape.padded_bounds());
+            self.rounding = self.rounding.at_least(shape.rounding());
+        }
+        around
     }
 
     /// Whether so many rows moved that the tree should be built again: boxes only fit as well as who is whose child.
@@ -98,9 +97,9 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         self.moved += rows.len();
         for &row in rows {
             let leaf = self.leaf_of[row as usize];
-            let (fitted, bounds, rounding) = fit_leaf(shapes, self.leaves[leaf as usize].rows);
-            self.leaves[leaf as usize] = fitted;
-            self.rounding = self.rounding.at_least(rounding);
+            let held = self.leaves[leaf as usize].rows;
+            self.leaves[leaf as usize] = Leaf::of(shapes, held);
+            let bounds = self.fit_leaf(leaf);
             self.lift(self.leaf_parents[leaf as usize], Child::LEAF | leaf, bounds);
         }
     }
@@ -136,16 +135,12 @@ where
     }
 }
 
-/// A leaf, the box around it, and its largest rounding.
-type Fitted<T, S> = (Leaf<<S as Packed<T>>::Block>, Bounds3<T>, T);
-
-/// The shapes of a leaf, the box around them with room for rounding, and their largest rounding.
-fn fit_leaf<T: Real, C>(shapes: &C, rows: [u32; WIDTH]) -> Fitted<T, C::Shape>
-where
-    C: ShapeColumns<T, Shape: Packed<T>>,
-{
-    let held = rows.map(|row| shapes.shape(row as usize));
-    let bounds = held.iter().fold(Bounds3::EMPTY, |all, shape| all.with(&shape.padded_bounds()));
-    let rounding = held.iter().fold(T::ZERO, |most, shape| most.at_least(shape.rounding()));
-    (Leaf { block: C::Shape::pack(&held), rows }, bounds, rounding)
+impl<B> Leaf<B> {
+    /// The shapes of some rows.
+    fn of<T: Real, S: Packed<T, Block = B>>(
+        shapes: &impl ShapeColumns<T, Shape = S>,
+        rows: [u32; WIDTH],
+    ) -> Self {
+        Self { block: S::pack(&rows.map(|row| shapes.shape(row as usize))), rows }
+    }
 }

@@ -40,20 +40,21 @@ impl<T: Real> TreeSearch<T> for Nearest<'_, T> {
     }
 }
 
-/// Any row before the end of a segment.
-pub(in crate::trace) struct Any {
+/// Any row before `reach`.
+pub(in crate::trace) struct Any<T> {
     pub(in crate::trace) row: u32,
+    pub(in crate::trace) reach: T,
 }
 
-impl<T: Real> TreeSearch<T> for Any {
+impl<T: Real> TreeSearch<T> for Any<T> {
     #[inline(always)]
     fn reach(&self) -> T {
-        T::ONE
+        self.reach
     }
 
     #[inline(always)]
     fn meet(&mut self, row: u32, t: T) {
-        if t < T::ONE {
+        if t < self.reach {
             self.row = row;
         }
     }

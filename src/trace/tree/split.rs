@@ -4,62 +4,74 @@
 use crate::geometry::{Real, Vector};
 
 use super::WIDTH;
-use super::build::Fork;
 
-/// A row's box. The fourth component of `low` is its row.
+/// A row's box. Its last component but four is no coordinate: it says the row.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Item {
-    low: [f32; 4],
-    high: [f32; 4],
-}
+pub(super) struct Item(Extent);
+
+/// A row in place of a coordinate is a normal number: arithmetic with others takes many times as long.
+const ROW_ZERO: u32 = f32::MIN_POSITIVE.to_bits();
 
 impl Item {
     pub(super) fn new<T: Real>(low: Vector<T>, high: Vector<T>, row: usize) -> Self {
-        let rounded = |v: Vector<T>| [v.x, v.y, v.z].map(|value| f32::from_f64(value.to_f64()));
-        let ([low_x, low_y, low_z], [high_x, high_y, high_z]) = (rounded(low), rounded(high));
-        // Rows are far fewer than 2^32.
-        let row = f32::from_bits(u32::try_from(row).unwrap_or(0));
-        Self { low: [low_x, low_y, low_z, row], high: [high_x, high_y, high_z, 0.0] }
+        let [x, y, z] = [low.x, low.y, low.z].map(single);
+        let [far_x, far_y, far_z] = [high.x, high.y, high.z].map(single);
+        // Rows are far fewer than 2^31.
+        let row = f32::from_bits(ROW_ZERO + u32::try_from(row).unwrap_or(0));
+        Self(Extent([x, y, z, row, -far_x, -far_y, -far_z, 0.0]))
     }
 
     pub(super) fn row(&self) -> u32 {
-        self.low[3].to_bits()
+        self.0.0[3].to_bits() - ROW_ZERO
     }
 
-    /// Twice the middle.
+    /// Twice the middle along an axis.
     #[inline(always)]
-    fn middle(&self) -> [f32; 4] {
-        core::array::from_fn(|axis| self.low[axis] + self.high[axis])
+    fn middle(&self, axis: usize) -> f32 {
+        self.0.0[axis] - self.0.0[axis + 4]
     }
 }
 
-/// A box that grows; its fourth component means nothing.
-#[derive(Clone, Copy)]
-struct Extent {
-    low: [f32; 4],
-    high: [f32; 4],
+fn single<T: Real>(value: T) -> f32 {
+    f32::from_f64(value.to_f64())
 }
+
+/// A box that grows: the least x, y, z and the greatest, these with the opposite sign, so that eight numbers are compared
+/// alike. The fourth and the eighth mean nothing.
+#[derive(Clone, Copy, Default)]
+struct Extent([f32; 8]);
 
 impl Extent {
-    const EMPTY: Self = Self { low: [f32::INFINITY; 4], high: [f32::NEG_INFINITY; 4] };
+    const EMPTY: Self = Self([f32::INFINITY; 8]);
 
     #[inline(always)]
-    fn add(&mut self, low: &[f32; 4], high: &[f32; 4]) {
-        for axis in 0..4 {
-            self.low[axis] = if low[axis] < self.low[axis] { low[axis] } else { self.low[axis] };
-            self.high[axis] = if high[axis] > self.high[axis] { high[axis] } else { self.high[axis] };
+    fn around_point([x, y, z, w]: [f32; 4]) -> Self {
+        Self([x, y, z, w, -x, -y, -z, -w])
+    }
+
+    #[inline(always)]
+    fn add(&mut self, other: &Self) {
+        for (most, other) in self.0.iter_mut().zip(&other.0) {
+            *most = if *other < *most { *other } else { *most };
         }
     }
 
     #[inline(always)]
     fn join(mut self, other: &Self) -> Self {
-        self.add(&other.low, &other.high);
+        self.add(other);
         self
     }
 
+    /// From the least to the greatest, along each axis.
+    #[inline(always)]
+    fn size(&self) -> [f32; 3] {
+        core::array::from_fn(|axis| -self.0[axis + 4] - self.0[axis])
+    }
+
     /// Half of the surface.
+    #[inline(always)]
     fn area(&self) -> f32 {
-        let [x, y, z] = core::array::from_fn(|axis| (self.high[axis] - self.low[axis]).max(0.0));
+        let [x, y, z] = self.size().map(|length| length.max(0.0));
         x * y + y * z + z * x
     }
 }
@@ -67,23 +79,35 @@ impl Extent {
 /// Items with the box around them and the one around their middles.
 pub(super) struct Range<'a> {
     pub(super) items: &'a mut [Item],
+    extents: Extents,
+}
+
+/// The box around items, and the one around their middles.
+#[derive(Clone, Copy)]
+struct Extents {
     around: Extent,
     middles: Extent,
 }
 
+impl Extents {
+    const EMPTY: Self = Self { around: Extent::EMPTY, middles: Extent::EMPTY };
+
+    #[inline(always)]
+    fn add(&mut self, item: &Item) {
+        self.around.add(&item.0);
+        self.middles.add(&Extent::around_point(core::array::from_fn(|axis| item.middle(axis))));
+    }
+}
+
 impl<'a> Range<'a> {
     pub(super) fn of(items: &'a mut [Item]) -> Self {
-        let (mut around, mut middles) = (Extent::EMPTY, Extent::EMPTY);
-        for item in items.iter() {
-            let middle = item.middle();
-            around.add(&item.low, &item.high);
-            middles.add(&middle, &middle);
-        }
-        Self { items, around, middles }
+        let mut extents = Extents::EMPTY;
+        items.iter().for_each(|item| extents.add(item));
+        Self { items, extents }
     }
 
     pub(super) fn area(&self) -> f32 {
-        self.around.area()
+        self.extents.around.area()
     }
 
     /// The first and the second half, as they lie.
@@ -91,9 +115,43 @@ impl<'a> Range<'a> {
         let (low, high) = self.items.split_at_mut(self.items.len() / 2);
         (Range::of(low), Range::of(high))
     }
+
+    /// Moves the items of which something is true to the front, and parts them from the others.
+    ///
+    /// Every item is swapped with the first of those that stay behind, itself if need be: which side it goes to cannot be
+    /// predicted, and a branch would be wrong half of the time.
+    fn parted(self, goes_first: impl Fn(&Item) -> bool) -> (Self, Self) {
+        let mut end = 0;
+        for at in 0..self.items.len() {
+            let is_first = goes_first(&self.items[at]);
+            self.items.swap(end, at);
+            end += usize::from(is_first);
+        }
+        let (low, high) = self.items.split_at_mut(end);
+        (Range::of(low), Range::of(high))
+    }
 }
 
-const BINS: usize = 16;
+/// Splits more than one item in two.
+pub(super) fn split(range: Range<'_>) -> (Range<'_>, Range<'_>) {
+    // With few items, what is done for each bin takes most of the time.
+    if range.items.len() <= FEW { split_by::<8>(range) } else { split_by::<16>(range) }
+}
+
+/// At most so many items are counted in fewer bins.
+const FEW: usize = 64;
+/// At least so many items are counted: of twice as many every second, and so on. It does not take more to tell where
+/// a good cut is.
+const COUNTED: usize = 1024;
+
+fn split_by<const BINS: usize>(range: Range<'_>) -> (Range<'_>, Range<'_>) {
+    let grid = Grid::of::<BINS>(&range.extents.middles);
+    let step = (range.items.len() / COUNTED).max(1);
+    match Bins::<BINS>::of(range.items.iter().step_by(step), &grid).best_cut(step) {
+        Some(cut) => range.parted(|item| grid.place::<BINS>(item, cut.axis) < cut.end),
+        None => range.halved(),
+    }
+}
 
 /// What falls between two parallel planes.
 #[derive(Clone, Copy)]
@@ -105,13 +163,13 @@ struct Bin {
 const EMPTY_BIN: Bin = Bin { around: Extent::EMPTY, count: 0 };
 
 /// Bins along each axis.
-struct Bins([[Bin; BINS]; 3]);
+struct Bins<const BINS: usize>([[Bin; BINS]; 3]);
 
 /// Where the bins of a range lie.
 #[derive(Clone, Copy)]
 struct Grid {
-    low: [f32; 4],
-    scale: [f32; 4],
+    low: [f32; 3],
+    scale: [f32; 3],
 }
 
 /// Items of bins below `end` along `axis` go to one side.
@@ -121,96 +179,68 @@ struct Cut {
     end: usize,
 }
 
-/// More items than this are counted by more than one thread.
-const MANY: usize = 65536;
-
-/// Splits more than one item in two.
-pub(super) fn split<'a>(range: Range<'a>, fork: &impl Fork) -> (Range<'a>, Range<'a>) {
-    let grid = Grid::of(&range.middles);
-    let Some(cut) = best_cut(&bins(range.items, &grid, fork)) else {
-        return range.halved();
-    };
-    let count = partition(range.items, |item| grid.bin(&item.middle(), cut.axis) < cut.end);
-    let (low, high) = range.items.split_at_mut(count);
-    if low.len() + high.len() > MANY {
-        fork.join(|| Range::of(low), || Range::of(high))
-    } else {
-        (Range::of(low), Range::of(high))
-    }
-}
-
-fn bins(items: &[Item], grid: &Grid, fork: &impl Fork) -> Bins {
-    if items.len() > MANY {
-        let (low, high) = items.split_at(items.len() / 2);
-        let (a, b) = fork.join(|| bins(low, grid, fork), || bins(high, grid, fork));
-        return a.join(&b);
-    }
-    let mut bins = Bins([[EMPTY_BIN; BINS]; 3]);
-    for item in items {
-        let middle = item.middle();
-        for (axis, bins) in bins.0.iter_mut().enumerate() {
-            let bin = &mut bins[grid.bin(&middle, axis)];
-            bin.around.add(&item.low, &item.high);
-            bin.count += 1;
-        }
-    }
-    bins
-}
-
-impl Bins {
-    fn join(mut self, other: &Self) -> Self {
-        for (bin, other) in self.0.iter_mut().flatten().zip(other.0.iter().flatten()) {
-            bin.around = bin.around.join(&other.around);
-            bin.count += other.count;
-        }
-        self
-    }
-}
-
 impl Grid {
-    #[expect(clippy::cast_precision_loss, reason = "sixteen")]
-    fn of(middles: &Extent) -> Self {
-        let scale = core::array::from_fn(|axis| {
-            let extent = middles.high[axis] - middles.low[axis];
-            if extent > 0.0 { BINS as f32 / extent } else { 0.0 }
-        });
-        Self { low: middles.low, scale }
+    #[expect(clippy::cast_precision_loss, reason = "sixteen at most")]
+    fn of<const BINS: usize>(middles: &Extent) -> Self {
+        let scale = middles.size().map(|size| if size > 0.0 { BINS as f32 / size } else { 0.0 });
+        let [x, y, z, ..] = middles.0;
+        Self { low: [x, y, z], scale }
     }
 
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates at 0")]
+    /// The number of an item's bin along an axis.
+    ///
+    /// A number that is much larger than another is added to it, which leaves the other's nearest whole number in the last
+    /// digits: a conversion would ask about NaN and about numbers that do not fit.
     #[inline(always)]
-    fn bin(&self, middle: &[f32; 4], axis: usize) -> usize {
-        let at = (middle[axis] - self.low[axis]) * self.scale[axis];
-        (at as i32 as usize).min(BINS - 1)
+    fn place<const BINS: usize>(&self, item: &Item, axis: usize) -> usize {
+        const LARGE: f32 = 12_582_912.0;
+        let at = (item.middle(axis) - self.low[axis]) * self.scale[axis];
+        let place = ((at - 0.5) + LARGE).to_bits().wrapping_sub(LARGE.to_bits());
+        (place as usize).min(BINS - 1)
     }
 }
 
-/// The cut with the least sum of surface times leaves; `None` where all items are in one bin.
-fn best_cut(bins: &Bins) -> Option<Cut> {
-    let mut best = None;
-    let mut least = f32::INFINITY;
-    for (axis, bins) in bins.0.iter().enumerate() {
-        let after = costs_from_the_end(bins);
-        let mut before = EMPTY_BIN;
-        for end in 1..BINS {
-            before = before.join(&bins[end - 1]);
-            let (Some(cost_before), Some(cost_after)) = (before.cost(), after[end]) else { continue };
-            if cost_before + cost_after < least {
-                least = cost_before + cost_after;
-                best = Some(Cut { axis, end });
+impl<const BINS: usize> Bins<BINS> {
+    fn of<'a>(items: impl Iterator<Item = &'a Item>, grid: &Grid) -> Self {
+        let mut bins = Self([[EMPTY_BIN; BINS]; 3]);
+        for item in items {
+            for (axis, bins) in bins.0.iter_mut().enumerate() {
+                let bin = &mut bins[grid.place::<BINS>(item, axis)];
+                bin.around.add(&item.0);
+                bin.count += 1;
             }
         }
+        bins
     }
-    best
+
+    /// The cut with the least sum of surface times leaves, where each counted item stands for `step`; `None` where
+    /// all are in one bin.
+    fn best_cut(&self, step: usize) -> Option<Cut> {
+        let mut best = None;
+        let mut least = f32::INFINITY;
+        for (axis, bins) in self.0.iter().enumerate() {
+            let after = costs_from_the_end(bins, step);
+            let mut before = EMPTY_BIN;
+            for end in 1..BINS {
+                before = before.join(&bins[end - 1]);
+                let (Some(cost_before), Some(cost_after)) = (before.cost(step), after[end]) else { continue };
+                if cost_before + cost_after < least {
+                    least = cost_before + cost_after;
+                    best = Some(Cut { axis, end });
+                }
+            }
+        }
+        best
+    }
 }
 
 /// For each bin the cost of it and all that follow.
-fn costs_from_the_end(bins: &[Bin; BINS]) -> [Option<f32>; BINS] {
+fn costs_from_the_end<const BINS: usize>(bins: &[Bin; BINS], step: usize) -> [Option<f32>; BINS] {
     let mut costs = [None; BINS];
     let mut after = EMPTY_BIN;
     for (cost, bin) in costs.iter_mut().zip(bins).rev() {
         after = after.join(bin);
-        *cost = after.cost();
+        *cost = after.cost(step);
     }
     costs
 }
@@ -222,24 +252,7 @@ impl Bin {
 
     /// Surface times leaves, if anything is there.
     #[expect(clippy::cast_precision_loss, reason = "a heuristic")]
-    fn cost(&self) -> Option<f32> {
-        (self.count > 0).then(|| self.around.area() * self.count.div_ceil(WIDTH) as f32)
-    }
-}
-
-/// Moves the items of which something is true to the front, and counts them.
-fn partition(items: &mut [Item], goes_first: impl Fn(&Item) -> bool) -> usize {
-    let (mut low, mut high) = (0, items.len());
-    loop {
-        while low < high && goes_first(&items[low]) {
-            low += 1;
-        }
-        while low < high && !goes_first(&items[high - 1]) {
-            high -= 1;
-        }
-        if low >= high {
-            return low;
-        }
-        items.swap(low, high - 1);
+    fn cost(&self, step: usize) -> Option<f32> {
+        (self.count > 0).then(|| self.around.area() * (self.count * step).div_ceil(WIDTH) as f32)
     }
 }

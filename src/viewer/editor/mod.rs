@@ -17,6 +17,7 @@ use bevy_ecs::entity_disabling::Disabled;
 use bevy_ecs::prelude::*;
 
 use crate::components::{CameraPose, Lens, Sampling, Snapshot};
+use crate::systems::Muted;
 
 use edit::{ComponentEdit, Presence, ResourceEdit};
 use history::{History, Step};
@@ -43,6 +44,10 @@ impl Setting for Snapshot {
 }
 
 impl Setting for Sampling {
+    const IS_IN_FILE: bool = false;
+}
+
+impl Setting for Muted {
     const IS_IN_FILE: bool = false;
 }
 

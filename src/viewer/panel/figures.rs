@@ -2,6 +2,9 @@
 
 use egui::{RichText, Ui};
 
+use crate::effects::EffectSet;
+use crate::systems::{Muted, Survey};
+
 use super::Panel;
 use super::digits::grouped;
 use super::fields::row;
@@ -10,10 +13,11 @@ use super::fields::row;
 pub(super) fn figures(ui: &mut Ui, panel: &Panel<'_>) {
     let status = panel.status;
     let rays = status.counts.rays;
-    let all = rays.primary + rays.shadow + rays.mirror;
+    let all = rays.primary + rays.shadow + rays.mirror + rays.refracted;
     amount(ui, "camera rays", "one a pixel and sample", rays.primary);
     amount(ui, "shadow rays", "towards lights", rays.shadow);
-    amount(ui, "mirror rays", "off mirrors", rays.mirror);
+    amount(ui, "mirror rays", "off mirrors and glass", rays.mirror);
+    amount(ui, "refracted rays", "into glass and out of it", rays.refracted);
     amount(ui, "all rays", "of the traced picture that is shown", all);
     let picture = match status.samples {
         0 => "none yet".to_owned(),
@@ -33,15 +37,30 @@ pub(super) fn figures(ui: &mut Ui, panel: &Panel<'_>) {
     }
 }
 
-/// Effects, with the rows that ask for them, and tables.
-pub(super) fn effects(ui: &mut Ui, panel: &Panel<'_>) {
+/// Effects, with the rows that ask for them and a switch where an entity does, and tables.
+pub(super) fn effects(ui: &mut Ui, panel: &mut Panel<'_>) {
+    let survey = panel.world.get_resource::<Survey>().cloned().unwrap_or_default();
+    let before = panel.world.get_resource::<Muted>().copied().unwrap_or_default();
+    let mut muted = before;
     for count in &panel.status.effects {
-        rows(
-            ui,
-            count.effect.name(),
-            count.rows,
-            "rows that ask for it; the trace never touches an effect without any",
-        );
+        let hover = "rows that ask for it; the trace never touches an effect without any";
+        if survey.entities(count.effect) == 0 {
+            rows(ui, count.effect.name(), count.rows, hover);
+            continue;
+        }
+        row(ui, &count.effect.name().replace('_', " "), hover, |ui| {
+            let mut is_on = !muted.0.contains(count.effect);
+            if ui.checkbox(&mut is_on, grouped(rows_of(count.rows))).changed() {
+                muted.0 = if is_on {
+                    muted.0.without(count.effect)
+                } else {
+                    muted.0.union(EffectSet::of(&[count.effect]))
+                };
+            }
+        });
+    }
+    if muted != before {
+        panel.editor.change_setting(panel.world, muted);
     }
     ui.add_space(3.0);
     for count in &panel.status.tables {
@@ -50,9 +69,13 @@ pub(super) fn effects(ui: &mut Ui, panel: &Panel<'_>) {
 }
 
 fn rows(ui: &mut Ui, name: &str, count: usize, hover: &str) {
-    let count = u64::try_from(count).unwrap_or(u64::MAX);
+    let count = rows_of(count);
     let number = RichText::new(grouped(count)).monospace();
     row(ui, &name.replace('_', " "), hover, |ui| ui.label(if count == 0 { number.weak() } else { number }));
+}
+
+fn rows_of(count: usize) -> u64 {
+    u64::try_from(count).unwrap_or(u64::MAX)
 }
 
 fn amount(ui: &mut Ui, label: &str, hover: &str, amount: u64) {

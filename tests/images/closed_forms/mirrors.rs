@@ -45,7 +45,7 @@ fn a_thousand_levels_are_a_loop() {
     fn check<T: Real>() {
         let Traced { picture, counts } = hall::<T>(1000, 1.0 / 1024.0, 1.0);
         assert_eq!(picture.middle(), [1000.0 / 1024.0; 3]);
-        let rays = RayCounts { primary: 1, shadow: 0, mirror: 999 };
+        let rays = RayCounts { primary: 1, shadow: 0, mirror: 999, refracted: 0 };
         assert_eq!(counts.rays, rays);
     }
     check::<f64>();
@@ -104,7 +104,7 @@ fn rays_are_counted_one_by_one() {
         world.spawn(light);
     }
     world.spawn(lamp(0.0, 40.0, 0.0));
-    let rays = RayCounts { primary: 81, shadow: 3 * 81, mirror: 81 };
+    let rays = RayCounts { primary: 81, shadow: 3 * 81, mirror: 81, refracted: 0 };
     assert_eq!(trace::<f64>(&mut world).counts.rays, rays);
     // A wall behind, beyond the last light, is met second; the wall ahead again third.
     world.spawn((wall_behind(-43.0), white(0.1, 0.1), Mirror(0.5)));
@@ -113,6 +113,7 @@ fn rays_are_counted_one_by_one() {
         // Before the wall ahead are three lights, before the one behind all four.
         shadow: (3 + 4 + 3) * 81,
         mirror: 2 * 81,
+        refracted: 0,
     };
     assert_eq!(trace::<f64>(&mut world).counts.rays, rays);
 }

@@ -1,12 +1,19 @@
 //! Pictures whose answer is on paper.
 
+mod air;
+mod board_filters;
 mod camera;
+mod camera_effects;
 mod checkerboard;
 mod contacts;
+mod glass;
 mod insides;
+mod light_effects;
 mod lights;
 mod mirrors;
+mod motion;
 mod neutral;
+mod soft_shadows;
 mod ties;
 
 use archetrace::components::{Ambient, CameraPose, Color, Cube, Diffuse, Lens, Light, Position, Snapshot};

@@ -1,7 +1,12 @@
 //! Effects set to do nothing: the picture is that without them, bit for bit.
 
-use archetrace::components::{Falloff, Gloss, Light, Mirror, Snapshot, SpotCone};
+use archetrace::components::{
+    Absorption, AreaLight, Background, CameraPose, Color, Falloff, Fog, Glass, Gloss, Light, LightColor,
+    Mirror, Snapshot, SpotCone,
+};
+use archetrace::effects::Effect;
 use archetrace::geometry::Real;
+use archetrace::systems::Tables;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
@@ -65,6 +70,52 @@ fn check<T: Real>() {
             entity.insert(everywhere);
         }
     });
+}
+
+/// An effect that the full scene has none of.
+fn assert_adds_nothing<T: Real>(effect: Effect, neutral: impl Fn(&mut EntityWorldMut<'_>)) {
+    let name = format!("{} {}", T::NAME, effect.name());
+    let mut world = scene(neutral);
+    let (plain, neutral) = (trace::<T>(&mut full_case().world()), trace::<T>(&mut world));
+    assert_same(&name, &plain.picture, &neutral.picture);
+    assert_eq!(plain.counts, neutral.counts, "{name}");
+    assert!(!world.resource::<Tables<T>>().scene.effects().contains(effect), "{name} has a row");
+}
+
+fn check_additions<T: Real>() {
+    assert_adds_nothing::<T>(Effect::LightColor, |entity| {
+        if entity.contains::<Light>() {
+            entity.insert(LightColor(DVec3::ONE));
+        }
+    });
+    assert_adds_nothing::<T>(Effect::AreaLight, |entity| {
+        if entity.contains::<Light>() {
+            entity.insert(AreaLight { radius: 0.0, samples: 16 });
+        }
+    });
+    assert_adds_nothing::<T>(Effect::Background, |entity| {
+        if entity.contains::<CameraPose>() {
+            entity.insert(Background { below: DVec3::ZERO, above: DVec3::ZERO });
+        }
+    });
+    assert_adds_nothing::<T>(Effect::Fog, |entity| {
+        if entity.contains::<CameraPose>() {
+            entity.insert(Fog { density: 0.0, color: DVec3::ONE });
+        }
+    });
+    for effect in [Effect::Glass, Effect::Absorption] {
+        assert_adds_nothing::<T>(effect, |entity| {
+            if entity.contains::<Color>() {
+                entity.insert((Glass { index: 1.5, transmission: 0.0 }, Absorption(DVec3::ONE)));
+            }
+        });
+    }
+}
+
+#[test]
+fn an_effect_of_0_leaves_no_row_behind() {
+    check_additions::<f64>();
+    check_additions::<f32>();
 }
 
 #[test]

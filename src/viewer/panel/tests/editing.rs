@@ -1,5 +1,7 @@
 //! Values that are dragged, typed and clicked.
 
+use std::num::NonZeroUsize;
+
 use bevy_ecs::prelude::*;
 use egui::{Event, Key, pos2, vec2};
 
@@ -7,6 +9,8 @@ use super::screen::Screen;
 use crate::components::{
     Ambient, Color, Gloss, Lens, Mirror, Position, Sampling, Snapshot, Sphere, SpotCone,
 };
+use crate::effects::{Effect, EffectSet};
+use crate::systems::{Muted, Tables, Workers, extract_schedule, prepare};
 
 /// The first sphere of the official scene, selected.
 fn sphere() -> (Screen, Entity) {
@@ -233,4 +237,21 @@ fn lens_and_picture_are_edited_within_what_is_allowed() {
     assert_eq!(*screen.world.resource::<Sampling>(), Sampling { side: 3 });
     assert!(!screen.editor.is_modified(), "a file holds no sampling");
     assert!(screen.has("² = 9"));
+}
+
+#[test]
+fn an_effect_is_switched_off_and_undo_switches_it_on() {
+    let mut screen = Screen::of_file("official.txt");
+    prepare::<f64>(&mut screen.world, Workers::new(NonZeroUsize::new(1)).unwrap());
+    extract_schedule::<f64>().run(&mut screen.world);
+    screen.status.effects = screen.world.resource::<Tables<f64>>().effect_counts();
+    screen.click_on("Effects in use");
+    assert!(screen.switches("texture").is_empty(), "nobody asks for it");
+    screen.click(screen.switches("mirror")[0].center());
+    assert_eq!(screen.world.resource::<Muted>().0, EffectSet::of(&[Effect::Mirror]));
+    extract_schedule::<f64>().run(&mut screen.world);
+    assert!(!screen.world.resource::<Tables<f64>>().effects().contains(Effect::Mirror));
+    assert!(!screen.switches("mirror").is_empty(), "it can be switched on again");
+    screen.editor.undo(&mut screen.world);
+    assert_eq!(*screen.world.resource::<Muted>(), Muted::default());
 }

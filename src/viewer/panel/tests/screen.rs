@@ -177,6 +177,11 @@ impl Screen {
         self.right_of(label, |node| node.role() == Role::Slider)
     }
 
+    /// The switches in the row of a label.
+    pub(super) fn switches(&self, label: &str) -> Vec<Rect> {
+        self.right_of(label, |node| node.role() == Role::CheckBox)
+    }
+
     fn right_of(&self, label: &str, is_it: impl Fn(&Node) -> bool) -> Vec<Rect> {
         let label = self.find(label);
         let nodes = self.nodes.iter().filter(|node| is_it(node)).filter_map(bounds);
