@@ -16,21 +16,34 @@ pub fn closest_hit<T: Real>(
     departure: &Departure,
     reach: T,
 ) -> Option<Hit<T>> {
+    closest_hit_with(tables, ray, departure, reach, &mut None)
+}
+
+/// [`closest_hit`], with a stack for the trees that is made where there is none yet.
+#[inline(always)]
+pub(super) fn closest_hit_with<T: Real>(
+    tables: &SceneTables<T>,
+    ray: &Ray<T>,
+    departure: &Departure,
+    reach: T,
+    stack: &mut Option<Stack<T>>,
+) -> Option<Hit<T>> {
     let mut nearest = Nearest { tables, reach, name: ObjectId::NOBODY, crossing: None };
+    // The boards first: what lies behind one is out of the question.
+    nearest.search(&tables.boards, ray, departure);
     let trees = &tables.trees;
     match &trees.spheres {
-        Some(tree) => nearest.search_tree(&tables.spheres, tree, ray, departure),
+        Some(tree) => nearest.search_tree(&tables.spheres, tree, ray, departure, stack),
         None => nearest.search(&tables.spheres, ray, departure),
     }
     match &trees.cubes {
-        Some(tree) => nearest.search_tree(&tables.cubes, tree, ray, departure),
+        Some(tree) => nearest.search_tree(&tables.cubes, tree, ray, departure, stack),
         None => nearest.search(&tables.cubes, ray, departure),
     }
     match &trees.pyramids {
-        Some(tree) => nearest.search_tree(&tables.pyramids, tree, ray, departure),
+        Some(tree) => nearest.search_tree(&tables.pyramids, tree, ray, departure, stack),
         None => nearest.search(&tables.pyramids, ray, departure),
     }
-    nearest.search(&tables.boards, ray, departure);
     nearest.hit()
 }
 
@@ -92,13 +105,14 @@ impl<T: Real> Nearest<'_, T> {
         }
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn search_tree<C: ShapeColumns<T, Shape: Packed<T>>>(
         &mut self,
         table: &ShapeTable<T, C>,
         tree: &Tree<T, C::Shape>,
         ray: &Ray<T>,
         departure: &Departure,
+        stack: &mut Option<Stack<T>>,
     ) {
         let departed = departure.rows(C::KIND);
         // A tree knows no exits.
@@ -108,7 +122,8 @@ impl<T: Real> Nearest<'_, T> {
         let mut nearest =
             tree::Nearest { tables: self.tables, kind: C::KIND, t: self.reach, name: self.name };
         let ray_of_tree = TreeRay::new(*ray, tree.rounding());
-        tree.search::<true>(&ray_of_tree, departed.row(), &mut nearest, &mut Stack::new());
+        let stack = stack.get_or_insert_with(Stack::new);
+        tree.search::<true>(&ray_of_tree, departed.row(), &mut nearest, stack);
         if nearest.name != self.name {
             self.test(table, ObjectId::unpacked(nearest.name).row, ray, departed);
         }

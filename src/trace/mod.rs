@@ -24,6 +24,7 @@ mod sequence;
 mod shade;
 mod shape_columns;
 mod simd;
+mod stream;
 mod surface_table;
 mod tables;
 mod tile;
@@ -49,6 +50,7 @@ pub use shape_columns::{
     SphereColumns,
 };
 pub use simd::Simd;
+pub use stream::Query;
 pub use surface_table::{GlassRow, GlossRow, SurfaceRow, SurfaceTable};
 pub use tables::{SceneTables, ShapeTable, Trees};
 pub use tile::Exposure;

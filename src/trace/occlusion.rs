@@ -11,10 +11,22 @@ use super::{Departure, SceneTables, ShapeColumns, ShapeTable};
 /// are searched through it.
 #[inline(always)]
 pub fn is_occluded<T: Real>(tables: &SceneTables<T>, ray: &Ray<T>, departure: &Departure, reach: T) -> bool {
+    is_occluded_with(tables, ray, departure, reach, &mut None)
+}
+
+/// [`is_occluded`], with a stack for the trees that is made where there is none yet.
+#[inline(always)]
+pub(super) fn is_occluded_with<T: Real>(
+    tables: &SceneTables<T>,
+    ray: &Ray<T>,
+    departure: &Departure,
+    reach: T,
+    stack: &mut Option<Stack<T>>,
+) -> bool {
     let trees = &tables.trees;
-    blocks(&tables.spheres, trees.spheres.as_deref(), ray, departure, reach)
-        || blocks(&tables.cubes, trees.cubes.as_deref(), ray, departure, reach)
-        || blocks(&tables.pyramids, trees.pyramids.as_deref(), ray, departure, reach)
+    blocks(&tables.spheres, trees.spheres.as_deref(), ray, departure, reach, stack)
+        || blocks(&tables.cubes, trees.cubes.as_deref(), ray, departure, reach, stack)
+        || blocks(&tables.pyramids, trees.pyramids.as_deref(), ray, departure, reach, stack)
         || any_row_blocks(&tables.boards, ray, departure, reach)
 }
 
@@ -25,9 +37,10 @@ fn blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     ray: &Ray<T>,
     departure: &Departure,
     reach: T,
+    stack: &mut Option<Stack<T>>,
 ) -> bool {
     match tree {
-        Some(tree) => tree_blocks(table, tree, ray, departure, reach),
+        Some(tree) => tree_blocks(table, tree, ray, departure, reach, stack),
         None => any_row_blocks(table, ray, departure, reach),
     }
 }
@@ -53,13 +66,14 @@ fn row_blocks<T: Real, C: ShapeColumns<T>>(
     cross_row(&table.shapes, row, ray, departure.rows(C::KIND)).is_some_and(|crossing| crossing.t < reach)
 }
 
-#[inline(never)]
+#[inline(always)]
 fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     table: &ShapeTable<T, C>,
     tree: &Tree<T, C::Shape>,
     ray: &Ray<T>,
     departure: &Departure,
     reach: T,
+    stack: &mut Option<Stack<T>>,
 ) -> bool {
     let departed = departure.rows(C::KIND);
     // A tree knows no exits.
@@ -68,6 +82,6 @@ fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     }
     let mut any = Any { row: NO_ROW, reach };
     let ray_of_tree = TreeRay::new(*ray, tree.rounding());
-    tree.search::<false>(&ray_of_tree, departed.row(), &mut any, &mut Stack::new());
+    tree.search::<false>(&ray_of_tree, departed.row(), &mut any, stack.get_or_insert_with(Stack::new));
     any.row != NO_ROW
 }

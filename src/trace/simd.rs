@@ -104,6 +104,42 @@ impl<T: Real> Input<'_, '_, T> {
     }
 }
 
+/// Work that may be done with any vector instructions.
+pub(super) trait Vectorised {
+    /// What it gives.
+    type Output;
+
+    /// Does it; to be inlined, so that it is compiled for the caller's instructions.
+    fn run(self) -> Self::Output;
+}
+
+impl Simd {
+    /// Does some work with these instructions.
+    pub(super) fn run<W: Vectorised>(self, work: W) -> W::Output {
+        match self.0 {
+            Level::Baseline => work.run(),
+            // SAFETY: the level is made by `available` alone, where the processor has these instructions.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => unsafe { run_avx2(work) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => unsafe { run_avx512(work) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn run_avx2<W: Vectorised>(work: W) -> W::Output {
+    work.run()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
+fn run_avx512<W: Vectorised>(work: W) -> W::Output {
+    work.run()
+}
+
 #[cfg(target_arch = "x86_64")]
 fn has_avx512() -> bool {
     is_x86_feature_detected!("avx512f")

@@ -14,7 +14,7 @@ use crate::support::tracing::workers;
 
 /// How the objects of a crowd lie.
 #[derive(Clone, Copy, Debug)]
-enum Crowd {
+pub(crate) enum Crowd {
     /// Anywhere, of many sizes.
     Scattered,
     /// On a grid, side by side: faces and poles touch.
@@ -27,11 +27,11 @@ enum Crowd {
     Nested,
 }
 
-const CROWDS: [Crowd; 5] =
+pub(crate) const CROWDS: [Crowd; 5] =
     [Crowd::Scattered, Crowd::Touching, Crowd::Repeated, Crowd::Extreme, Crowd::Nested];
 
 /// Objects of all kinds with the surfaces of a random scene.
-fn crowd(kind: Crowd, count: usize, seed: u64, pixels: u32) -> Case {
+pub(crate) fn crowd(kind: Crowd, count: usize, seed: u64, pixels: u32) -> Case {
     let random = &mut Random::new(seed);
     let mut case = (seed..).map(|seed| random_case(seed * 977, pixels)).find(is_lively).unwrap();
     let surfaces: Vec<_> = case.description.objects.iter().map(|object| object.surface).collect();

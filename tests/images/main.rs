@@ -19,6 +19,7 @@ mod metamorphic;
 mod naive;
 mod paths;
 mod samples;
+mod streams;
 #[path = "../support/mod.rs"]
 mod support;
 mod transforms;

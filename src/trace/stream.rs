@@ -1,0 +1,72 @@
+//! Many rays, one after the other, with the vector instructions that there are.
+
+use crate::geometry::{Ray, Real};
+
+use super::closest::closest_hit_with;
+use super::occlusion::is_occluded_with;
+use super::simd::Vectorised;
+use super::{Departure, Hit, SceneTables, Simd};
+
+/// A ray, and what it may meet.
+#[derive(Clone, Copy, Debug)]
+pub struct Query<T> {
+    /// The ray.
+    pub ray: Ray<T>,
+    /// How it starts.
+    pub departure: Departure,
+    /// How far it looks.
+    pub reach: T,
+}
+
+impl Simd {
+    /// [`closest_hit`](super::closest_hit) for each ray, in order.
+    pub fn closest_hits<T: Real>(
+        self,
+        tables: &SceneTables<T>,
+        queries: &[Query<T>],
+        hits: &mut [Option<Hit<T>>],
+    ) {
+        self.run(ClosestHits { tables, queries, hits });
+    }
+
+    /// [`is_occluded`](super::is_occluded) for each ray, in order.
+    pub fn occlusions<T: Real>(self, tables: &SceneTables<T>, queries: &[Query<T>], occluded: &mut [bool]) {
+        self.run(Occlusions { tables, queries, occluded });
+    }
+}
+
+struct ClosestHits<'a, T: Real> {
+    tables: &'a SceneTables<T>,
+    queries: &'a [Query<T>],
+    hits: &'a mut [Option<Hit<T>>],
+}
+
+impl<T: Real> Vectorised for ClosestHits<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let mut stack = None;
+        for (query, hit) in self.queries.iter().zip(self.hits) {
+            *hit = closest_hit_with(self.tables, &query.ray, &query.departure, query.reach, &mut stack);
+        }
+    }
+}
+
+struct Occlusions<'a, T: Real> {
+    tables: &'a SceneTables<T>,
+    queries: &'a [Query<T>],
+    occluded: &'a mut [bool],
+}
+
+impl<T: Real> Vectorised for Occlusions<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let mut stack = None;
+        for (query, occluded) in self.queries.iter().zip(self.occluded) {
+            *occluded = is_occluded_with(self.tables, &query.ray, &query.departure, query.reach, &mut stack);
+        }
+    }
+}

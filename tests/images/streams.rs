@@ -1,0 +1,58 @@
+//! Rays asked for one by one: with any vector instructions and through trees, the answers are those of row after row.
+
+use archetrace::geometry::{Ray, Real, Vector};
+use archetrace::systems::{Tables, extract_schedule, prepare};
+use archetrace::trace::{
+    Departure, Hit, ObjectId, Query, SceneTables, Simd, Trees, closest_hit, is_occluded,
+};
+
+use crate::crowds::{CROWDS, crowd};
+use crate::support::random::Random;
+use crate::support::tracing::workers;
+
+/// Rays between points of a box around the crowd; some start on what others met.
+fn queries<T: Real>(tables: &SceneTables<T>, count: usize, random: &mut Random) -> Vec<Query<T>> {
+    let mut queries: Vec<Query<T>> = Vec::with_capacity(count);
+    let mut departure = Departure::Free;
+    for _ in 0..count {
+        let (from, to) = (random.point(80.0), random.point(80.0));
+        let ray = Ray { origin: Vector::from_dvec3(from), direction: Vector::from_dvec3(to - from) };
+        queries.push(Query { ray, departure, reach: T::ONE });
+        departure =
+            closest_hit(tables, &ray, &departure, T::INFINITY).map_or(Departure::Free, |hit| hit.departure());
+    }
+    queries
+}
+
+fn name<T: Real>(hit: Option<Hit<T>>) -> Option<(ObjectId, u64, u8)> {
+    hit.map(|hit| (hit.object, hit.crossing.t.to_f64().to_bits(), hit.crossing.face))
+}
+
+fn check<T: Real>(seed: u64) {
+    for kind in CROWDS {
+        let mut world = crowd(kind, 900, seed, 8).world();
+        prepare::<T>(&mut world, workers(1));
+        extract_schedule::<T>().run(&mut world);
+        let tables = &world.resource::<Tables<T>>().scene;
+        let plain = SceneTables { trees: Trees::default(), ..(**tables).clone() };
+        let queries = queries(&plain, 500, &mut Random::new(seed));
+        for simd in Simd::available() {
+            let (mut hits, mut occluded) = (vec![None; queries.len()], vec![false; queries.len()]);
+            simd.closest_hits(tables, &queries, &mut hits);
+            simd.occlusions(tables, &queries, &mut occluded);
+            for ((query, hit), occluded) in queries.iter().zip(hits).zip(occluded) {
+                let Query { ray, departure, reach } = query;
+                let truth = closest_hit(&plain, ray, departure, *reach);
+                assert_eq!(name(hit), name(truth), "{kind:?}, {}, {simd:?}, {query:?}", T::NAME);
+                let truth = is_occluded(&plain, ray, departure, *reach);
+                assert_eq!(occluded, truth, "{kind:?}, {}, {simd:?}, {query:?}", T::NAME);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_way_to_ask_gives_the_same_answer() {
+    check::<f64>(41);
+    check::<f32>(42);
+}
