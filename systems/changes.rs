@@ -89,7 +89,8 @@ pub(super) struct Census<'w, 's, S: Component> {
     filters: (Living<'w, 's, S, TextureFilter>, Living<'w, 's, S, CheckerFilter>),
     glasses: (Living<'w, 's, S, Glass>, Living<'w, 's, S, Absorption>),
     orders: Living<'w, 's, S, Order>,
-    muted: Res<'w, Muted>,
+    /// Absent in a World that is only drawn.
+    muted: Option<Res<'w, Muted>>,
 }
 
 impl<S: Component> Census<'_, '_, S> {
@@ -113,7 +114,7 @@ impl<S: Component> Census<'_, '_, S> {
             | glass.differ()
             | absorptions.differ()
             | self.orders.differ()
-            | self.muted.is_changed()
+            | is_changed(self.muted.as_ref())
     }
 }
 
@@ -125,7 +126,7 @@ pub(super) fn lights_changed(
     mut narrowing: (Living<Light, Falloff>, Living<Light, SpotCone>),
     mut other: (Living<Light, LightColor>, Living<Light, Directional>, Living<Light, AreaLight>),
     mut orders: Living<Light, Order>,
-    muted: Res<Muted>,
+    muted: Option<Res<Muted>>,
 ) -> bool {
     let (falloffs, cones) = &mut narrowing;
     let (colors, directions, balls) = &mut other;
@@ -138,7 +139,11 @@ pub(super) fn lights_changed(
         | directions.differ()
         | balls.differ()
         | orders.differ()
-        | muted.is_changed()
+        | is_changed(muted.as_ref())
+}
+
+fn is_changed(muted: Option<&Res<Muted>>) -> bool {
+    muted.is_some_and(Res::is_changed)
 }
 
 /// Whether background or fog are out of date. While nobody asks for any and none is left in the tables, they are not.

@@ -22,8 +22,13 @@ pub(super) trait ListShape: Shape {
 }
 
 /// Replaces the objects with shape `S`, in the order of the tables: ties go to the same object as in the trace.
-pub(super) fn list_objects<S: ListShape>(objects: Objects<S>, muted: Res<Muted>, mut drawn: ResMut<Drawn>) {
-    S::list(gather(&objects, *muted).rows().collect(), &mut drawn.0);
+pub(super) fn list_objects<S: ListShape>(
+    objects: Objects<S>,
+    muted: Option<Res<Muted>>,
+    mut drawn: ResMut<Drawn>,
+) {
+    let muted = muted.map_or_else(Muted::default, |muted| *muted);
+    S::list(gather(&objects, muted).rows().collect(), &mut drawn.0);
 }
 
 /// Lights that are somewhere.

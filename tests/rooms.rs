@@ -113,8 +113,8 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/study",
-        crates: &[("bevy_ecs", All), ("plotters", Only(&["bars.rs"]))],
-        rooms: &["effects", "film", "geometry", "systems", "trace"],
+        crates: &[("bevy_ecs", All), ("glam", Only(&["tests.rs"])), ("plotters", Only(&["bars.rs"]))],
+        rooms: &["components", "effects", "film", "geometry", "systems", "trace"],
         may: &[],
     },
     Room {
@@ -180,6 +180,7 @@ const ROOMS: &[Room] = &[
         ],
         rooms: &[
             "components",
+            "effects",
             "film",
             "geometry",
             "image_file",

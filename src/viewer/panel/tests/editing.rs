@@ -246,7 +246,7 @@ fn an_effect_is_switched_off_and_undo_switches_it_on() {
     extract_schedule::<f64>().run(&mut screen.world);
     screen.status.effects = screen.world.resource::<Tables<f64>>().effect_counts();
     screen.click_on("Effects in use");
-    assert!(screen.switches("texture").is_empty(), "nobody asks for it");
+    assert!(screen.switches("glass").is_empty(), "nobody asks for it");
     screen.click(screen.switches("mirror")[0].center());
     assert_eq!(screen.world.resource::<Muted>().0, EffectSet::of(&[Effect::Mirror]));
     extract_schedule::<f64>().run(&mut screen.world);
