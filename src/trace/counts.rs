@@ -18,7 +18,7 @@ pub struct RayCounts {
 impl RayCounts {
     /// Rays of every kind.
     pub fn total(&self) -> u64 {
-        self.primary + self.shadow + self.mirror
+        self.primary + self.shadow + self.mirror + self.refracted
     }
 }
 

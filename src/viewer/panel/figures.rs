@@ -13,7 +13,7 @@ use super::fields::row;
 pub(super) fn figures(ui: &mut Ui, panel: &Panel<'_>) {
     let status = panel.status;
     let rays = status.counts.rays;
-    let all = rays.primary + rays.shadow + rays.mirror + rays.refracted;
+    let all = rays.total();
     amount(ui, "camera rays", "one a pixel and sample", rays.primary);
     amount(ui, "shadow rays", "towards lights", rays.shadow);
     amount(ui, "mirror rays", "off mirrors and glass", rays.mirror);
