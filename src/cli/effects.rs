@@ -165,11 +165,11 @@ fn table(ablation: &Ablation, rows: &[Row]) -> Result<String, std::fmt::Error> {
     }
     let absent: Vec<&Row> = rows.iter().filter(|row| !row.present).collect();
     if !absent.is_empty() {
-        writeln!(text, "\nabsent        entities  rows  bytes  rays")?;
+        writeln!(text, "\nabsent            entities  rows  bytes  rays")?;
     }
     for row in absent {
         let name = row.effect.replace('_', " ");
-        writeln!(text, "  {name:<12}{:>8}{:>6}{:>7}{:>6}", row.entities, row.rows, row.bytes, row.rays)?;
+        writeln!(text, "  {name:<16}{:>8}{:>6}{:>7}{:>6}", row.entities, row.rows, row.bytes, row.rays)?;
     }
     Ok(text)
 }
