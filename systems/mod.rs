@@ -130,7 +130,8 @@ pub fn extract_schedule<T: Real>() -> Schedule {
     schedule
 }
 
-/// [`Stage::Survey`] and [`Stage::Extract`] alone, for who measures the stages: what was extracted is to be built before it is traced.
+/// [`Stage::Survey`] and [`Stage::Extract`] alone, for who measures the stages: what was extracted is to be built before
+/// it is traced.
 pub fn tables_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
     schedule.configure_sets((Stage::Survey, Stage::Extract).chain());
