@@ -5,12 +5,18 @@
 
 mod ablation;
 mod bars;
+mod cost;
 mod difference;
+mod setting;
 mod spread;
 #[cfg(test)]
 mod tests;
 
 pub use ablation::{Ablation, EffectPrice, Removal, ablate};
 pub use bars::draw_bars;
+pub use cost::{
+    CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference,
+};
 pub use difference::Difference;
+pub use setting::{Knobs, Setting};
 pub use spread::Spread;
