@@ -5,7 +5,8 @@ use crate::effects::{Ball, Rgb, attenuation, cell_point, disk_point, lambert, ph
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
 use super::{
-    Counts, Departure, Hit, Kind, LightRow, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, is_occluded,
+    Counts, Departure, Hit, Kind, LightRow, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail,
+    is_occluded,
 };
 
 /// A surface point as the shading sees it.
@@ -54,21 +55,24 @@ pub(super) struct Lighting<'a, T: Real> {
 struct LightSums<T> {
     lambert: Rgb<T>,
     phong: Rgb<T>,
+    trail: Trail,
 }
 
 impl<T: Real> Lighting<'_, T> {
-    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`.
+    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`. The lights that reach it
+    /// are noted in the trail.
     #[inline(always)]
-    pub(super) fn shade(&self, own: Rgb<T>, counts: &mut Counts) -> Rgb<T> {
+    pub(super) fn shade(&self, own: Rgb<T>, trail: &mut Trail, counts: &mut Counts) -> Rgb<T> {
         let surface = self.surface;
-        let sums = self.gather(counts);
+        let sums = self.gather(*trail, counts);
+        *trail = sums.trail;
         let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
         own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
     }
 
     #[inline(always)]
-    fn gather(&self, counts: &mut Counts) -> LightSums<T> {
-        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK };
+    fn gather(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
+        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail };
         for row in 0..self.tables.lights.len() {
             let light = self.tables.lights.row(row);
             let color = light.color.unwrap_or(Rgb::WHITE);
@@ -76,11 +80,12 @@ impl<T: Real> Lighting<'_, T> {
                 continue;
             }
             if let Some(toward) = light.toward {
-                self.add_parallel(toward, color, &mut sums, counts);
+                self.add_parallel(row, toward, color, &mut sums, counts);
             } else if let Some(ball) = light.ball {
                 self.add_ball(row, &light, ball, color, &mut sums, counts);
             } else {
-                self.add_point(&light, light.position - self.shaded.point, color, &mut sums, counts);
+                let segment = light.position - self.shaded.point;
+                self.add_point(row, &light, segment, color, &mut sums, counts);
             }
         }
         sums
@@ -90,6 +95,7 @@ impl<T: Real> Lighting<'_, T> {
     #[inline(always)]
     fn add_point(
         &self,
+        row: usize,
         light: &LightRow<T>,
         segment: Vector<T>,
         color: Rgb<T>,
@@ -112,15 +118,22 @@ impl<T: Real> Lighting<'_, T> {
         }
         // 4. Lights that something hides.
         if !self.is_hidden(segment, T::ONE, counts) {
-            self.shine(segment.unit(), color * scale, sums);
+            self.shine(row, segment.unit(), color * scale, sums);
         }
     }
 
     /// Light from a unit direction.
     #[inline(always)]
-    fn add_parallel(&self, toward: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>, counts: &mut Counts) {
+    fn add_parallel(
+        &self,
+        row: usize,
+        toward: Vector<T>,
+        color: Rgb<T>,
+        sums: &mut LightSums<T>,
+        counts: &mut Counts,
+    ) {
         if toward.dot(self.shaded.normal) > T::ZERO && !self.is_hidden(toward, T::INFINITY, counts) {
-            self.shine(toward, color, sums);
+            self.shine(row, toward, color, sums);
         }
     }
 
@@ -144,7 +157,8 @@ impl<T: Real> Lighting<'_, T> {
         let first = self.look.sample.index.wrapping_mul(ball.samples);
         for number in 0..ball.samples {
             let on_disk = disk_point(sequence.point(first.wrapping_add(number)));
-            self.add_point(light, ball.point(to_center, on_disk), color * ball.share(), sums, counts);
+            let segment = ball.point(to_center, on_disk);
+            self.add_point(row, light, segment, color * ball.share(), sums, counts);
         }
     }
 
@@ -163,7 +177,8 @@ impl<T: Real> Lighting<'_, T> {
     }
 
     #[inline(always)]
-    fn shine(&self, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+    fn shine(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+        sums.trail = sums.trail.lit_by(row);
         sums.lambert += color * lambert(to_light, self.shaded.normal);
         if let Some(gloss) = self.surface.gloss {
             sums.phong += color * phong(self.mirrored, to_light, gloss.shininess);
