@@ -1,10 +1,12 @@
 //! A rectangle of pixels.
 
+use crate::effects::Effect;
 use crate::film::FilmTile;
 use crate::geometry::Real;
 
+use super::kernel::has;
 use super::packet::{BLOCK_SIDE, Block, Bounds, Scratch};
-use super::radiance::radiance;
+use super::radiance::radiance_of;
 use super::{CameraRays, Counts, Kernel, SampleGrid, SampleId, SceneTables, Simd};
 
 /// What a picture is traced from, and how.
@@ -93,28 +95,32 @@ impl<T: Real> BandTask<'_, T> {
         counts
     }
 
-    /// Traces a band pixel by pixel, with every effect.
-    pub(super) fn trace_each(&self, band: &mut Band<'_, '_>) -> Counts {
+    /// Traces a band pixel by pixel, with the effects of these bits.
+    pub(super) fn trace_each<const EFFECTS: u32>(&self, band: &mut Band<'_, '_>) -> Counts {
         let mut counts = Counts::default();
         let (width, height) = band.size();
         for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
-            let sample = self.sample(band.left + column, band.top + row, &mut counts);
+            let sample = self.sample::<EFFECTS>(band.left + column, band.top + row, &mut counts);
             self.put(&mut band.rows[row as usize][column as usize], sample);
         }
         counts
     }
 
-    fn sample(&self, column: u32, row: u32, counts: &mut Counts) -> [f64; 3] {
+    fn sample<const EFFECTS: u32>(&self, column: u32, row: u32, counts: &mut Counts) -> [f64; 3] {
         let Exposure { tables, level, grid, .. } = *self.exposure;
         if level == 0 {
             return [0.0; 3];
         }
         let (side, point) = (grid.side(), grid.point(self.pass));
         let sample = SampleId { column, row, index: self.pass };
-        let start = self.camera.sample(column * side + point.column, row * side + point.row, sample);
+        let start =
+            self.camera.sample_of::<EFFECTS>(column * side + point.column, row * side + point.row, sample);
         counts.rays.primary += 1;
-        let color = radiance(tables, start, level, sample, counts);
-        counts.clamp(color.to_f64().map(|channel| channel * self.gain))
+        let color = radiance_of::<T, EFFECTS>(tables, start, level, sample, counts);
+        let color = color.to_f64();
+        let exposed =
+            if has::<EFFECTS>(Effect::Exposure) { color.map(|channel| channel * self.gain) } else { color };
+        counts.clamp(exposed)
     }
 
     #[inline(always)]
