@@ -13,6 +13,7 @@ use crate::geometry::Real;
 use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, Refinement, SceneTables};
 
 use super::WorldProblem;
+use super::problem::lacking;
 
 /// The tables of one precision, kept from frame to frame.
 #[derive(Resource, Default)]
@@ -63,7 +64,7 @@ impl<T: Real> Tables<T> {
 
     /// Everything that is wrong with the World, as of the last extraction.
     pub fn problems(&self) -> Vec<WorldProblem> {
-        self.problems.values().flatten().cloned().collect()
+        self.problems.values().flatten().cloned().chain(lacking(self.effects())).collect()
     }
 }
 

@@ -1,9 +1,10 @@
 //! The recursion.
 
-use crate::effects::{PixelCone, Rgb, left_by, reflect, split, split_at_sheet};
+use crate::effects::{Effect, EffectSet, PixelCone, Rgb, left_by, reflect, split, split_at_sheet};
 use crate::geometry::{Convex, Ray, Real, Side, SurfacePoint, Vector};
 
 use super::filtered_color::{PixelSpot, filtered_color};
+use super::kernel::{has, known};
 use super::shade::{Lighting, Look, Shaded};
 use super::{
     CameraRay, Counts, Departure, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns, SurfaceRow,
@@ -52,8 +53,19 @@ impl<T: Real> Default for Radiance<T> {
 ///
 /// The recursion `local + r * (local + r * ...)` is a loop that carries the product of the shares: no level overflows a
 /// stack. Glass sends on two rays; one of them waits, so that at most one does for each ray in a row.
-#[inline(never)]
 pub fn radiance<T: Real>(
+    tables: &SceneTables<T>,
+    start: CameraRay<T>,
+    depth: Depth<T>,
+    sample: SampleId,
+    counts: &mut Counts,
+) -> Radiance<T> {
+    radiance_of::<T, { EffectSet::COMPILED.bits() }>(tables, start, depth, sample, counts)
+}
+
+/// [`radiance`] in a scene that has no effects but these.
+#[inline(never)]
+pub(super) fn radiance_of<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     start: CameraRay<T>,
     depth: Depth<T>,
@@ -65,10 +77,10 @@ pub fn radiance<T: Real>(
     let first = Path { ray, reach, cone, departure: Departure::Free, weight: Rgb::WHITE, remaining };
     let cutoff = depth.cutoff;
     let found = Radiance::default();
-    let mut walk = Walk { tables, cutoff, sample, rays: 0, found, waiting: Vec::new() };
+    let mut walk = Walk::<T, EFFECTS> { tables, cutoff, sample, rays: 0, found, waiting: Vec::new() };
     let mut next = Some(first);
     while let Some(path) = next {
-        next = walk.follow(&path, counts).or_else(|| walk.waiting.pop());
+        next = walk.follow(&path, counts).or_else(|| walk.next_waiting());
     }
     walk.found
 }
@@ -87,7 +99,7 @@ struct Path<T> {
 }
 
 /// All rays of one sample.
-struct Walk<'a, T: Real> {
+struct Walk<'a, T: Real, const EFFECTS: u32> {
     tables: &'a SceneTables<T>,
     cutoff: T,
     sample: SampleId,
@@ -103,18 +115,23 @@ struct Onward<T> {
     refracted: Option<(T, Vector<T>)>,
 }
 
-impl<T: Real> Walk<'_, T> {
+impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
+    #[inline(always)]
+    fn next_waiting(&mut self) -> Option<Path<T>> {
+        if has::<EFFECTS>(Effect::Glass) { self.waiting.pop() } else { None }
+    }
+
     /// Adds the light that one ray finds, and says how it goes on.
     #[inline(always)]
     fn follow(&mut self, path: &Path<T>, counts: &mut Counts) -> Option<Path<T>> {
         let tables = self.tables;
         self.rays += 1;
         let Some(hit) = closest_hit(tables, &path.ray, &path.departure, path.reach) else {
-            self.found.color += tables.air.beyond(path.ray.direction) * path.weight;
+            self.found.color += tables.air.of_kernel::<EFFECTS>().beyond(path.ray.direction) * path.weight;
             return None;
         };
         let (surfaces, row) = tables.surface(hit.object);
-        let surface = surfaces.row(row);
+        let surface = surfaces.row(row).of_kernel::<EFFECTS>();
         self.found.trail = self.found.trail.after(ObjectId::packed(hit.object.kind, hit.object.row));
         let weight = self.dim(path, &hit, &surface);
         if weight == Rgb::BLACK {
@@ -127,7 +144,7 @@ impl<T: Real> Walk<'_, T> {
         let needs_mirrored = surface.gloss.is_some() || onward.reflected != T::ZERO;
         let mirrored = if needs_mirrored { reflect(direction, shaded.normal) } else { direction };
         let cone = path.cone.after(hit.crossing.t);
-        let own = filtered_color(
+        let own = filtered_color::<T, EFFECTS>(
             tables,
             hit.object,
             surface.color,
@@ -135,7 +152,7 @@ impl<T: Real> Walk<'_, T> {
         );
         let look = Look { sample: self.sample, ray: self.rays };
         let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
-        self.found.color += lighting.shade(own, &mut self.found.trail, counts) * weight;
+        self.found.color += lighting.shade::<EFFECTS>(own, &mut self.found.trail, counts) * weight;
 
         let leave = |direction, departure, share: T| Path {
             ray: Ray { origin: shaded.point, direction },
@@ -163,7 +180,7 @@ impl<T: Real> Walk<'_, T> {
                 .absorption
                 .map_or(path.weight, |absorption| path.weight * left_by(absorption, distance));
         }
-        let Some(haze) = self.tables.air.haze else { return path.weight };
+        let Some(haze) = known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze) else { return path.weight };
         let left = haze.left_after(distance);
         self.found.color += haze.color * path.weight * (T::ONE - left);
         path.weight * left

@@ -1,9 +1,10 @@
 //! The light that a surface point sends back by itself.
 
 use crate::components::Texture;
-use crate::effects::{Ball, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index};
+use crate::effects::{Ball, Effect, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index};
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
+use super::kernel::known;
 use super::{
     Counts, Departure, Hit, Kind, LightRow, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail,
     is_occluded,
@@ -62,19 +63,24 @@ impl<T: Real> Lighting<'_, T> {
     /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`. The lights that reach it
     /// are noted in the trail.
     #[inline(always)]
-    pub(super) fn shade(&self, own: Rgb<T>, trail: &mut Trail, counts: &mut Counts) -> Rgb<T> {
+    pub(super) fn shade<const EFFECTS: u32>(
+        &self,
+        own: Rgb<T>,
+        trail: &mut Trail,
+        counts: &mut Counts,
+    ) -> Rgb<T> {
         let surface = self.surface;
-        let sums = self.gather(*trail, counts);
+        let sums = self.gather::<EFFECTS>(*trail, counts);
         *trail = sums.trail;
         let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
         own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
     }
 
     #[inline(always)]
-    fn gather(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
+    fn gather<const EFFECTS: u32>(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
         let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail };
         for row in 0..self.tables.lights.len() {
-            let light = self.tables.lights.row(row);
+            let light = self.tables.lights.row(row).of_kernel::<EFFECTS>();
             let color = light.color.unwrap_or(Rgb::WHITE);
             if color == Rgb::BLACK {
                 continue;
@@ -188,7 +194,7 @@ impl<T: Real> Lighting<'_, T> {
 
 /// The own colour of an object at a point: plain, or the pattern or image of a checkerboard.
 #[inline(always)]
-pub(super) fn own_color<T: Real>(
+pub(super) fn own_color<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     object: ObjectId,
     plain: Rgb<T>,
@@ -201,7 +207,7 @@ pub(super) fn own_color<T: Real>(
     let row = object.row as usize;
     let (origin, width) = boards.pattern(row);
     let cell = cell_point(point.x - origin.x, point.y - origin.y, width);
-    match boards.textures.get(row) {
+    match known::<EFFECTS, _>(Effect::Texture, boards.textures.get(row)) {
         Some(texture) => {
             let image = if cell.white { &texture.white } else { &texture.black };
             texel_color(image, cell.along_x, T::ONE - cell.along_y)

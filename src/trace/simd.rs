@@ -88,7 +88,7 @@ impl<T: Real> Input<'_, T> {
         match self.kernel {
             Kernel::Plain => self.trace_packets::<{ Kernel::Plain.effects().bits() }>(),
             Kernel::Assignment => self.trace_packets::<{ Kernel::Assignment.effects().bits() }>(),
-            Kernel::Everything => self.task.trace_each(self.queue),
+            Kernel::Everything => self.task.trace_each::<{ Kernel::Everything.effects().bits() }>(self.queue),
         }
     }
 

@@ -1,11 +1,13 @@
 //! A rectangle of pixels, or some pixels here and there.
 
+use crate::effects::Effect;
 use crate::film::FilmTile;
 use crate::geometry::Real;
 
+use super::kernel::has;
 use super::packet::{BLOCK_SIDE, Block, Bounds, LANES, Scratch};
 use super::pixels::{PixelLanes, PixelQueue, SampleLanes};
-use super::radiance::{Depth, radiance};
+use super::radiance::{Depth, radiance_of};
 use super::{CameraRays, Counts, Kernel, SampleGrid, SampleId, SceneTables, Simd, Trail};
 
 /// What a picture is traced from, and how.
@@ -127,8 +129,8 @@ impl<T: Real> PacketTask<'_, T> {
         }
     }
 
-    /// Traces pixels one by one, with every effect.
-    pub(super) fn trace_each(&self, queue: &mut dyn PixelQueue<T>) -> Counts {
+    /// Traces pixels one by one, with the effects of these bits.
+    pub(super) fn trace_each<const EFFECTS: u32>(&self, queue: &mut dyn PixelQueue<T>) -> Counts {
         if self.exposure.depth.level == 0 {
             return self.blacken(queue);
         }
@@ -140,7 +142,8 @@ impl<T: Real> PacketTask<'_, T> {
             }
             let mut samples = SampleLanes::black();
             for lane in 0..pixels.count {
-                let (color, trail) = self.sample(pixels.columns[lane], pixels.rows[lane], &mut counts);
+                let (color, trail) =
+                    self.sample::<EFFECTS>(pixels.columns[lane], pixels.rows[lane], &mut counts);
                 samples.set(lane, color, trail);
             }
             queue.put(&samples);
@@ -156,15 +159,19 @@ impl<T: Real> PacketTask<'_, T> {
         Counts::default()
     }
 
-    fn sample(&self, column: u32, row: u32, counts: &mut Counts) -> ([f64; 3], Trail) {
+    fn sample<const EFFECTS: u32>(&self, column: u32, row: u32, counts: &mut Counts) -> ([f64; 3], Trail) {
         let &Exposure { tables, corner, depth, grid, .. } = self.exposure;
         let (column, row) = (corner[0] + column, corner[1] + row);
         let (side, point) = (grid.side(), grid.point(self.pass));
         let sample = SampleId { column, row, index: self.pass };
-        let start = self.camera.sample(column * side + point.column, row * side + point.row, sample);
+        let start =
+            self.camera.sample_of::<EFFECTS>(column * side + point.column, row * side + point.row, sample);
         counts.rays.primary += 1;
-        let found = radiance(tables, start, depth, sample, counts);
-        (counts.clamp(found.color.to_f64().map(|channel| channel * self.gain)), found.trail)
+        let found = radiance_of::<T, EFFECTS>(tables, start, depth, sample, counts);
+        let color = found.color.to_f64();
+        let exposed =
+            if has::<EFFECTS>(Effect::Exposure) { color.map(|channel| channel * self.gain) } else { color };
+        (counts.clamp(exposed), found.trail)
     }
 }
 

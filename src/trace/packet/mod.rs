@@ -23,15 +23,9 @@ mod path;
 mod surface;
 mod trees;
 
-use crate::effects::{Effect, EffectSet};
-
 pub(super) use block::{BLOCK_SIDE, Block};
 pub(super) use bounds::Bounds;
 pub(super) use lanes::{LANES, VectorLanes};
 pub(super) use trees::Scratch;
 
-/// Whether code for these effects has one of them.
-#[inline(always)]
-const fn has<const EFFECTS: u32>(effect: Effect) -> bool {
-    EffectSet::from_bits(EFFECTS).contains(effect)
-}
+use super::kernel::has;
