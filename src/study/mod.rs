@@ -7,6 +7,7 @@ mod ablation;
 mod bars;
 mod cost;
 mod difference;
+mod preset;
 mod setting;
 mod spread;
 #[cfg(test)]
@@ -18,5 +19,6 @@ pub use cost::{
     CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference,
 };
 pub use difference::Difference;
+pub use preset::Preset;
 pub use setting::{Knobs, Setting};
 pub use spread::Spread;

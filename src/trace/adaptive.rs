@@ -67,6 +67,12 @@ impl Refinement {
         &self.samples
     }
 
+    /// Samples that a pixel has on average.
+    pub fn mean_samples(&self) -> f64 {
+        let sum: f64 = self.samples.iter().map(|&samples| f64::from(samples)).sum();
+        sum / (f64::from(self.side) * f64::from(self.side)).max(1.0)
+    }
+
     /// Whether no pixel wants more.
     pub fn is_done(&self) -> bool {
         self.wanting.iter().all(Vec::is_empty)
