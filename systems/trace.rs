@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use crate::components::{Adaptive, Cutoff, Sampling, Snapshot};
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::trace::{Counts, Depth, Exposure, SampleGrid};
+use crate::trace::{Counts, Depth, Exposure, Refinement, SampleGrid};
 
 use super::{Frame, FrameError, Monitor, Tables, Workers, trace_adaptive};
 
@@ -38,18 +38,27 @@ pub(super) fn trace<T: Real>(
     let kernel = workers.kernel_for(tables.effects());
     let depth = Depth { level: snapshot.level, cutoff: T::from_f64(cutoff.map_or(0.0, |cutoff| cutoff.0)) };
     let exposure = Exposure { depth, grid, kernel, ..Exposure::new(&tables.scene, camera, snapshot.level) };
-    frame.refinement = None;
-    match adaptive {
-        Some(adaptive) => {
-            let (counts, refinement) =
-                trace_adaptive(&exposure, adaptive.threshold, &mut frame.film, &workers, &monitor);
-            frame.counts = counts;
-            frame.refinement = Some(refinement);
-        }
-        None => frame.counts = trace_picture(&exposure, &mut frame.film, &workers, &monitor),
-    }
+    let threshold = adaptive.map(|adaptive| adaptive.threshold);
+    (frame.counts, frame.refinement) = trace_film(&exposure, threshold, &mut frame.film, &workers, &monitor);
     if monitor.is_cancelled() {
         frame.error = Some(FrameError::Cancelled);
+    }
+}
+
+/// Traces a film with as many samples everywhere, or until their error is expected to be no more than a threshold.
+pub(super) fn trace_film<T: Real>(
+    exposure: &Exposure<'_, T>,
+    threshold: Option<f64>,
+    film: &mut Film,
+    workers: &Workers,
+    monitor: &Monitor,
+) -> (Counts, Option<Refinement>) {
+    match threshold {
+        None => (trace_picture(exposure, film, workers, monitor), None),
+        Some(threshold) => {
+            let (counts, refinement) = trace_adaptive(exposure, threshold, film, workers, monitor);
+            (counts, Some(refinement))
+        }
     }
 }
 
