@@ -12,6 +12,7 @@ mod lab;
 mod preset;
 mod setting;
 mod spread;
+mod ssim;
 #[cfg(test)]
 mod tests;
 
@@ -19,10 +20,12 @@ pub use ablation::{Ablation, EffectPrice, Removal, ablate};
 pub use bars::draw_bars;
 pub use chooser::{Choice, Chooser, FrontPoint, Wish, choose};
 pub use cost::{
-    CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference,
+    CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference, Sweep,
+    SweepPlan, Watch, front_of_rows, knob_steps, next_6_db, sweep,
 };
 pub use difference::Difference;
 pub use lab::{Glimpse, Lab, Shot, Windows};
 pub use preset::Preset;
 pub use setting::{Knobs, Setting};
 pub use spread::Spread;
+pub use ssim::mean_ssim;

@@ -1,7 +1,12 @@
 //! The price list: every knob of accuracy swept, its time measured, its error against a reference of known floor.
 
+mod front;
+mod plan;
 mod report;
+mod sweep;
 
+pub use front::{front_of_rows, knob_steps, next_6_db};
 pub use report::{
     CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference,
 };
+pub use sweep::{Sweep, SweepPlan, Watch, sweep};
