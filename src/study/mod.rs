@@ -7,7 +7,9 @@ mod ablation;
 mod bars;
 mod cost;
 mod difference;
+mod heat;
 mod setting;
+mod similarity;
 mod spread;
 #[cfg(test)]
 mod tests;
@@ -15,8 +17,11 @@ mod tests;
 pub use ablation::{Ablation, EffectPrice, Removal, ablate};
 pub use bars::draw_bars;
 pub use cost::{
-    CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference,
+    CareRow, CostReport, CostRow, EffectRow, HeatMap, KnobStep, Machine, NextSixDb, PagePicture,
+    PictureEntry, Reference, cost_csv, cost_json, cost_page, draw_front,
 };
 pub use difference::Difference;
+pub use heat::{ERROR_LEVELS, error_colors, error_map, error_share, false_color, false_colors};
 pub use setting::{Knobs, Setting};
+pub use similarity::mean_ssim;
 pub use spread::Spread;
