@@ -90,8 +90,16 @@ pub(super) struct PictureArgs {
     pub(super) threads: Option<NonZeroUsize>,
 }
 
+impl PictureArgs {
+    /// What a scene shows through a camera, everything else as it is.
+    pub(super) fn of_scene(camera: &CameraArgs, images: &ImageArgs) -> Self {
+        let (camera, images) = (camera.clone(), images.clone());
+        Self { camera, size: None, accuracy: AccuracyArgs::default(), images, threads: None }
+    }
+}
+
 /// What trades truth for time.
-#[derive(Debug, ClapArgs)]
+#[derive(Debug, Default, ClapArgs)]
 #[command(next_help_heading = "Accuracy")]
 pub(super) struct AccuracyArgs {
     /// Where to start from; the other flags go on from there [default: assignment]
@@ -253,7 +261,7 @@ Examples:
   archetrace cost scenes/official.txt -o prices --size 512 --instructions";
 
 /// Where the camera stands and where it looks.
-#[derive(Debug, ClapArgs)]
+#[derive(Clone, Debug, ClapArgs)]
 pub(super) struct CameraArgs {
     /// Eye position
     #[arg(long, value_name = "X,Y,Z", default_value = "0,-150,50", value_parser = point, allow_hyphen_values = true)]
@@ -267,7 +275,7 @@ pub(super) struct CameraArgs {
 }
 
 /// What lies on the checkerboard.
-#[derive(Debug, ClapArgs)]
+#[derive(Clone, Debug, ClapArgs)]
 pub(super) struct ImageArgs {
     /// Lay images on the checkerboard: `texture_w.bmp` and `texture_b.bmp` beside the scene, or built-in ones
     #[arg(long)]

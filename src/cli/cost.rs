@@ -191,15 +191,13 @@ fn picture(
         error: Some(encode(&shot.film, error_colors(&errors), &error)?),
         rays: Some(HeatMap { png: encode(&traced, false_colors(&per_pixel, most), &rays)?, most }),
     };
-    let entry =
-        PictureEntry { setting: row.setting.clone(), picture, error: Some(error), rays: Some(rays) };
+    let entry = PictureEntry { setting: row.setting.clone(), picture, error: Some(error), rays: Some(rays) };
     Ok((entry, page))
 }
 
 /// A setting's name as that of a file.
 fn file_name(setting: &str) -> String {
-    let words: String =
-        setting.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let words: String = setting.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     words.split('-').filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-")
 }
 

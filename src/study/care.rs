@@ -2,7 +2,7 @@
 
 use crate::geometry::{Convex, Crossing, Ray, Real, Side, SphereShape, Vector};
 use crate::selfcheck::{Aim, check_spheres};
-use crate::trace::{Departure, Hit, Kind, ObjectId, SceneTables, closest_hit};
+use crate::trace::{Hit, Kind, ObjectId, SceneTables, closest_hit};
 
 use super::cost::CareRow;
 
@@ -94,7 +94,8 @@ fn share_of_returns<T: Real>(returns: impl Fn(&SphereShape<T>, &Ray<T>) -> bool)
             let (sine, cosine) = (2.399_963_229_728_653 * f64::from(number)).sin_cos();
             let up = 1.0 - 2.0 * share;
             let across = (1.0 - up * up).sqrt();
-            let normal = Vector::new(T::from_f64(across * cosine), T::from_f64(across * sine), T::from_f64(up));
+            let normal =
+                Vector::new(T::from_f64(across * cosine), T::from_f64(across * sine), T::from_f64(up));
             let grazing = Vector::new(-normal.y, normal.x, T::ZERO) + normal * T::from_f64(0.05);
             let ray = Ray { origin: center + normal * radius, direction: grazing.unit() };
             count += u32::from(returns(&sphere, &ray));

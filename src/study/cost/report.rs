@@ -1,8 +1,12 @@
 //! What a study of cost finds out: plain numbers, ready to be written as CSV, JSON and a page.
 
+use std::env::consts::{ARCH, OS};
+
 use serde::Serialize;
 
 use crate::study::{Knobs, Spread};
+use crate::systems::Workers;
+use crate::trace::Simd;
 
 /// Everything that `archetrace cost` finds out about a scene.
 #[derive(Clone, Debug, Serialize)]
@@ -208,4 +212,20 @@ pub struct PictureEntry {
     pub error: Option<String>,
     /// The file with the rays of each pixel in false colours.
     pub rays: Option<String>,
+}
+
+impl Machine {
+    /// This machine, tracing with these threads. `cpuinfo` is Linux' `/proc/cpuinfo`, and empty elsewhere.
+    pub fn here(cpuinfo: &str, workers: &Workers) -> Self {
+        let model = cpuinfo.lines().find_map(|line| {
+            let (key, name) = line.split_once(':')?;
+            (key.trim() == "model name").then(|| name.trim().to_owned())
+        });
+        Self {
+            processor: model.unwrap_or_else(|| ARCH.to_owned()),
+            threads: workers.threads(),
+            system: format!("{OS} {ARCH}"),
+            simd: Simd::detect().name().to_owned(),
+        }
+    }
 }

@@ -1,0 +1,168 @@
+//! How alike two pictures look.
+
+use crate::film::Film;
+
+/// Pixels along each side of the window that is moved over both pictures.
+const WINDOW: usize = 11;
+/// Standard deviation of the window's weights, in pixels.
+const SIGMA: f64 = 1.5;
+
+/// Mean structural similarity of two pictures, -1 to 1, and 1 for equal ones; `None` unless they are of the same size and
+/// not empty.
+///
+/// Z. Wang, A. C. Bovik, H. R. Sheikh, E. P. Simoncelli: Image quality assessment, from error visibility to structural
+/// similarity, 2004: of luma (0.299, 0.587, 0.114) in 8 bits, by windows of 11 by 11 pixels with Gaussian weights that lie
+/// wholly inside. A smaller picture is one window.
+pub fn mean_ssim(a: &Film, b: &Film) -> Option<f64> {
+    if a.side() != b.side() || a.side() == 0 {
+        return None;
+    }
+    let (side, weights) = (a.side() as usize, weights(a.side() as usize));
+    let [a, b] = [a, b].map(luma);
+    let mean = |of: &dyn Fn(f64, f64) -> f64| {
+        let values: Vec<f64> = a.iter().zip(&b).map(|(&a, &b)| of(a, b)).collect();
+        blurred(&values, side, &weights)
+    };
+    let (mean_a, mean_b) = (mean(&|a, _| a), mean(&|_, b| b));
+    let (square_a, square_b, product) = (mean(&|a, _| a * a), mean(&|_, b| b * b), mean(&|a, b| a * b));
+    let windows = mean_a.len();
+    let sum: f64 = (0..windows)
+        .map(|at| {
+            let means = [mean_a[at], mean_b[at]];
+            let variances = [square_a[at] - means[0] * means[0], square_b[at] - means[1] * means[1]];
+            similarity(means, variances, product[at] - means[0] * means[1])
+        })
+        .sum();
+    // At most 8192 x 8192.
+    Some(sum / f64::from(u32::try_from(windows).ok()?))
+}
+
+fn similarity(means: [f64; 2], variances: [f64; 2], covariance: f64) -> f64 {
+    // They keep the quotients calm where both pictures are dark, or flat.
+    let (c1, c2) = (0.01_f64.powi(2), 0.03_f64.powi(2));
+    let luminance = (2.0 * means[0] * means[1] + c1) / (means[0].powi(2) + means[1].powi(2) + c1);
+    let structure = (2.0 * covariance + c2) / (variances[0] + variances[1] + c2);
+    luminance * structure
+}
+
+fn luma(film: &Film) -> Vec<f64> {
+    let levels = film.to_rgb8();
+    let of = |rgb: &[u8]| 0.299 * f64::from(rgb[0]) + 0.587 * f64::from(rgb[1]) + 0.114 * f64::from(rgb[2]);
+    levels.chunks_exact(3).map(|rgb| of(rgb) / 255.0).collect()
+}
+
+/// Gaussian weights of sum 1, as many as the window is wide.
+fn weights(side: usize) -> Vec<f64> {
+    let width = u32::try_from(WINDOW.min(side)).unwrap_or(u32::MAX);
+    let center = f64::from(width - 1) / 2.0;
+    let bell = |at: u32| (-(f64::from(at) - center).powi(2) / (2.0 * SIGMA * SIGMA)).exp();
+    let sum: f64 = (0..width).map(bell).sum();
+    (0..width).map(|at| bell(at) / sum).collect()
+}
+
+/// Weighted means of all windows, row after row: first along rows, then along columns.
+fn blurred(values: &[f64], side: usize, weights: &[f64]) -> Vec<f64> {
+    let places = side + 1 - weights.len();
+    let weighted = |start: usize, step: usize, of: &[f64]| -> f64 {
+        weights.iter().zip(of[start..].iter().step_by(step)).map(|(weight, value)| weight * value).sum()
+    };
+    let rows: Vec<f64> =
+        (0..side * places).map(|at| weighted(at / places * side + at % places, 1, values)).collect();
+    (0..places * places).map(|at| weighted(at, places, &rows)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn film(side: u32, level: impl Fn(usize, usize) -> [u8; 3]) -> Film {
+        let mut film = Film::new(side).unwrap();
+        for mut tile in film.tiles_mut(side) {
+            for (row, pixels) in
+                tile.bands_mut(1).flat_map(|(row, rows)| rows.iter_mut().map(move |r| (row, r)))
+            {
+                for (column, pixel) in pixels.iter_mut().enumerate() {
+                    *pixel = level(column, row as usize).map(|level| (f64::from(level) + 0.5) / 255.0);
+                }
+            }
+        }
+        film
+    }
+
+    fn grey(side: u32, level: impl Fn(usize, usize) -> u8) -> Film {
+        film(side, |column, row| [level(column, row); 3])
+    }
+
+    /// Scattered levels without any order to the eye.
+    fn noise(column: usize, row: usize) -> u8 {
+        u8::try_from((column * 97 + row * row * 31 + column * column * row * 7) % 251).unwrap()
+    }
+
+    #[test]
+    fn equal_pictures_are_alike() {
+        for side in [1, 2, 10, 11, 12, 40] {
+            let picture = film(side, |column, row| [noise(column, row), noise(row, column), 9]);
+            assert_eq!(mean_ssim(&picture, &picture), Some(1.0), "{side}");
+        }
+    }
+
+    #[test]
+    fn pictures_of_different_sizes_cannot_be_compared() {
+        assert_eq!(mean_ssim(&grey(2, |_, _| 0), &grey(3, |_, _| 0)), None);
+        assert_eq!(mean_ssim(&Film::default(), &Film::default()), None);
+    }
+
+    #[test]
+    fn flat_pictures_differ_by_their_luminance_alone() {
+        for (side, a, b) in [(1, 0, 255), (5, 100, 110), (11, 51, 204), (30, 7, 8)] {
+            let [x, y] = [a, b].map(|level| f64::from(level) / 255.0);
+            let expected = (2.0 * x * y + 1e-4) / (x * x + y * y + 1e-4);
+            let found = mean_ssim(&grey(side, |_, _| a), &grey(side, |_, _| b)).unwrap();
+            // What cancels in the variances is rounding, far below the constant that is added to them.
+            assert!((found - expected).abs() < 1e-11, "{a} {b}: {found} {expected}");
+        }
+    }
+
+    #[test]
+    fn colours_count_by_their_luma() {
+        let luma = |rgb: [u8; 3]| film(4, |_, _| rgb);
+        let of = |x: f64| (1e-4 / (x * x + 1e-4)).abs();
+        for (rgb, weight) in [([255, 0, 0], 0.299), ([0, 255, 0], 0.587), ([0, 0, 255], 0.114)] {
+            let found = mean_ssim(&luma([0; 3]), &luma(rgb)).unwrap();
+            assert!((found - of(weight)).abs() < 1e-11, "{rgb:?}: {found}");
+        }
+    }
+
+    #[test]
+    fn stripes_and_their_negative_are_each_others_opposite() {
+        // 2 x 2 pixels are one window of equal weights: means 1/2, variances 1/4, covariance -1/4.
+        let stripes = grey(2, |column, _| if column == 0 { 255 } else { 0 });
+        let negative = grey(2, |column, _| if column == 0 { 0 } else { 255 });
+        let expected = (-0.5 + 9e-4) / (0.5 + 9e-4);
+        let found = mean_ssim(&stripes, &negative).unwrap();
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+
+        let picture = grey(40, noise);
+        let inverted = grey(40, |column, row| 255 - noise(column, row));
+        assert!(mean_ssim(&picture, &inverted).unwrap() < -0.5);
+    }
+
+    #[test]
+    fn noise_hurts_more_than_a_shift_of_all_levels() {
+        let ramp = |column: usize, row: usize| u8::try_from(40 + 3 * column + 2 * row).unwrap();
+        let picture = grey(32, ramp);
+        // The same mean squared difference: 10 levels everywhere.
+        let shifted = grey(32, |column, row| ramp(column, row) + 10);
+        let noisy = grey(32, |column, row| {
+            if noise(column, row) % 2 == 0 { ramp(column, row) + 10 } else { ramp(column, row) - 10 }
+        });
+        assert!(mean_ssim(&picture, &shifted).unwrap() > 0.95);
+        assert!(mean_ssim(&picture, &noisy).unwrap() < 0.8);
+    }
+
+    #[test]
+    fn it_does_not_matter_which_picture_is_first() {
+        let (a, b) = (grey(20, noise), grey(20, |column, row| noise(row, column)));
+        assert_eq!(mean_ssim(&a, &b), mean_ssim(&b, &a));
+    }
+}
