@@ -29,6 +29,11 @@ impl Film {
         &self.pixels
     }
 
+    /// All pixels, top row first, to be written.
+    pub fn pixels_mut(&mut self) -> &mut [[f64; 3]] {
+        &mut self.pixels
+    }
+
     /// Chooses what light becomes in 8 bits; linear unless said otherwise.
     pub fn set_transfer(&mut self, transfer: Transfer) {
         self.transfer = transfer;
@@ -52,6 +57,20 @@ impl Film {
                 channels.map(|channel| levels.level(channel)).collect()
             }
         }
+    }
+
+    /// The same picture with more pixels along each side, each of which shows the one below it; `None` if there is no memory
+    /// for it.
+    pub fn enlarged(&self, side: u32) -> Option<Self> {
+        let mut large = Self::new(side)?;
+        large.transfer = self.transfer;
+        let from = |place: u32| (u64::from(place) * u64::from(self.side) / u64::from(side)) as usize;
+        for (row, pixels) in (0..side).zip(large.pixels.chunks_mut(side.max(1) as usize)) {
+            for (column, pixel) in (0..side).zip(pixels) {
+                *pixel = self.pixels[from(row) * self.side as usize + from(column)];
+            }
+        }
+        Some(large)
     }
 
     /// Divides every pixel, as the sum of that many samples.

@@ -94,13 +94,24 @@ impl Setting {
         }
     }
 
+    /// The flags of `render` that give this setting to any scene.
+    pub fn flags(&self) -> String {
+        let mut flags = vec![format!("--samples {}", self.side * self.side)];
+        flags.extend(self.threshold.map(|threshold| format!("--adaptive {threshold}")));
+        flags.push(format!("--level {}", self.level));
+        flags.extend((self.cutoff > 0.0).then(|| format!("--cutoff {}", self.cutoff)));
+        let knobs = self.knobs();
+        flags.push(format!("--precision {}", knobs.precision));
+        flags.extend(self.checker_filter.then(|| "--checker-filter".to_owned()));
+        flags.extend(self.texture_filter.map(|filter| format!("--texture-filter {}", name_of(filter))));
+        flags.extend(self.light_samples.map(|samples| format!("--light-samples {samples}")));
+        flags.push(format!("--size {}", self.pixels));
+        flags.join(" ")
+    }
+
     /// The same for a report.
     pub fn knobs(&self) -> Knobs {
-        let texture = self.texture_filter.and_then(|filter| match filter {
-            TextureFilter::Nearest => None,
-            TextureFilter::Bilinear => Some("bilinear"),
-            TextureFilter::Mip => Some("mip"),
-        });
+        let texture = self.texture_filter.filter(|&filter| filter != TextureFilter::Nearest).map(name_of);
         let filters: Vec<&str> =
             self.checker_filter.then_some("checker").into_iter().chain(texture).collect();
         Knobs {
@@ -116,6 +127,15 @@ impl Setting {
             light_samples: self.light_samples,
             pixels: self.pixels,
         }
+    }
+}
+
+/// The name of a filter on the command line.
+fn name_of(filter: TextureFilter) -> &'static str {
+    match filter {
+        TextureFilter::Nearest => "nearest",
+        TextureFilter::Bilinear => "bilinear",
+        TextureFilter::Mip => "mip",
     }
 }
 

@@ -137,7 +137,6 @@ fn row((setting, knob, flags, side, level, precision, filter, milliseconds, deci
         shadow: primary * 2,
         mirror: primary,
         refracted: 0,
-        bytes: 4096,
         instructions: None,
         rmse: rmse(decibels),
         psnr_db: decibels,

@@ -108,8 +108,6 @@ pub struct CostRow {
     pub mirror: u64,
     /// Into glass and out of it.
     pub refracted: u64,
-    /// Bytes of the scene's tables.
-    pub bytes: usize,
     /// Instructions a pixel, where they were counted.
     pub instructions: Option<f64>,
     /// Root mean squared difference from the reference, 0 to 1; not below the floor.

@@ -7,7 +7,7 @@ type Column = (&'static str, fn(&CostRow) -> String);
 
 /// The columns of [`cost_csv`]. Numbers have as many digits as it takes to read the same number back; what is not there is
 /// empty.
-const COLUMNS: [Column; 30] = [
+const COLUMNS: [Column; 29] = [
     ("setting", |row| row.setting.clone()),
     ("samples", |row| row.samples.to_string()),
     ("level", |row| row.knobs.level.to_string()),
@@ -35,7 +35,6 @@ const COLUMNS: [Column; 30] = [
     ("shadow", |row| row.shadow.to_string()),
     ("mirror", |row| row.mirror.to_string()),
     ("refracted", |row| row.refracted.to_string()),
-    ("bytes", |row| row.bytes.to_string()),
     ("instructions", |row| or_empty(row.instructions)),
     ("flags", |row| row.flags.clone()),
 ];
