@@ -14,8 +14,8 @@ use crate::film::Film;
 use crate::image_file::encode_rgb8;
 use crate::study::{
     CostReport, EffectRow, HeatMap, Lab, Machine, PagePicture, PictureEntry, Preset, Setting, Sweep,
-    SweepPlan, Watch, ablate, cost_csv, cost_json, cost_page, draw_front, error_colors, error_map,
-    false_colors, front_of_rows, knob_steps, next_6_db, price_of_care, sweep,
+    SweepPlan, Watch, ablate, adaptive_gains, cost_csv, cost_json, cost_page, draw_front, error_colors,
+    error_map, false_colors, front_of_rows, knob_steps, next_6_db, price_of_care, sweep,
 };
 use crate::systems::{FrameError, Monitor, Workers, prepare};
 use crate::whole_file::{WriteError, check_folder, write_whole};
@@ -119,6 +119,7 @@ fn report(args: &CostArgs, found: &Sweep, scene: Setting, workers: &Workers, byt
         rows: found.rows.clone(),
         next_6_db: next_6_db(&found.rows, &front),
         steps: knob_steps(&found.rows, &found.changes_model),
+        adaptive: adaptive_gains(&found.rows),
         front,
         care: Vec::new(),
         effects: Vec::new(),
@@ -283,6 +284,13 @@ fn summary(report: &CostReport, folder: &Path) -> String {
     };
     report.rows.first().map(&mut line);
     report.front.iter().filter(|&&number| number > 0).for_each(|&number| line(&report.rows[number]));
+    let gains = report.adaptive.iter().filter_map(|adaptive| Some((adaptive.gain?, &adaptive.setting)));
+    if let Some((gain, setting)) = gains.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        let verdict = if gain > 1.0 { "" } else { ": it does not pay here" };
+        text.push_str(&format!(
+            "\nuniform samples take {gain:.2} times the rays of {setting} for the same error{verdict}\n"
+        ));
+    }
     if report.interrupted {
         say("warning: interrupted; what was not measured is missing");
     }
