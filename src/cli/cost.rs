@@ -141,15 +141,15 @@ fn pictures(
     folder: &Path,
 ) -> Result<Vec<PagePicture>, CliError> {
     let mut shown = Vec::new();
-    let reference = encode_rgb8(found.truth.side(), found.truth.to_rgb8(), Path::new("reference.png"))?;
-    write_whole(&folder.join("reference.png"), &reference)?;
+    let truth = encode_rgb8(found.truth.side(), found.truth.to_rgb8(), Path::new("truth.png"))?;
+    write_whole(&folder.join("truth.png"), &truth)?;
     report.pictures.push(PictureEntry {
-        setting: "reference".to_owned(),
-        picture: "reference.png".to_owned(),
+        setting: "truth".to_owned(),
+        picture: "truth.png".to_owned(),
         error: None,
         rays: None,
     });
-    shown.push(PagePicture { setting: "reference".to_owned(), picture: reference, error: None, rays: None });
+    shown.push(PagePicture { setting: "truth".to_owned(), picture: truth, error: None, rays: None });
     let is_preset = |number: &usize| found.rows[*number].knob == "preset";
     let presets = (0..found.rows.len()).filter(is_preset);
     let on_front = report.front.iter().copied().filter(|number| !is_preset(number)).take(SHOWN);
