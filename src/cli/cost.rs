@@ -13,7 +13,7 @@ use crate::components::{Precision, Snapshot};
 use crate::film::Film;
 use crate::image_file::encode_rgb8;
 use crate::study::{
-    CostReport, EffectRow, HeatMap, Lab, Machine, PagePicture, PictureEntry, Preset, Setting, Sweep,
+    CostReport, CostRow, EffectRow, HeatMap, Lab, Machine, PagePicture, PictureEntry, Preset, Setting, Sweep,
     SweepPlan, Watch, ablate, adaptive_gains, cost_csv, cost_json, cost_page, draw_front, error_colors,
     error_map, false_colors, front_of_rows, knob_steps, next_6_db, price_of_care, sweep,
 };
@@ -247,8 +247,8 @@ fn count_instructions(
         if watch.is_cancelled() {
             return Ok(());
         }
-        // Far fewer than 2^53.
-        row.instructions = Some(counter.per_pixel(setting, None)? as f64);
+        let counted = counter.per_pixel(setting, None)?;
+        row.instructions = Some(f64::from(u32::try_from(counted).unwrap_or(u32::MAX)));
     }
     Ok(())
 }
@@ -260,7 +260,38 @@ fn write_report(report: &CostReport, pictures: &[PagePicture], folder: &Path) ->
     write("cost.csv", &cost_csv(report)?)?;
     write("cost.json", &cost_json(report)?)?;
     write("cost.svg", &draw_front(report))?;
+    write("cost.md", &markdown(report))?;
     Ok(write("cost.html", &cost_page(report, pictures))?)
+}
+
+/// The presets and the front as a table for a README.
+fn markdown(report: &CostReport) -> String {
+    let mut text =
+        "| setting | ms | quartiles apart | rays a pixel | instructions a pixel | dB | worst level | \
+                    off by more than 1 level |\n|---|---|---|---|---|---|---|---|\n"
+            .to_owned();
+    let is_shown = |(number, row): &(usize, &CostRow)| row.knob == "preset" || report.front.contains(number);
+    for (_, row) in report.rows.iter().enumerate().filter(is_shown) {
+        let instructions = row.instructions.map(|count| format!("{count:.0}")).unwrap_or_default();
+        let at_least = if row.at_floor { "at least " } else { "" };
+        text.push_str(&format!(
+            "| {} | {:.1} | {:.1} | {:.2} | {instructions} | {at_least}{:.1} | {} | {:.1} % |\n",
+            row.setting,
+            row.milliseconds.median,
+            row.milliseconds.iqr,
+            rays_a_pixel(report, row),
+            row.psnr_db,
+            row.worst_level,
+            100.0 * row.over1
+        ));
+    }
+    text
+}
+
+/// Far fewer than 2^53.
+#[expect(clippy::cast_precision_loss, reason = "two digits are shown")]
+fn rays_a_pixel(report: &CostReport, row: &CostRow) -> f64 {
+    row.rays as f64 / f64::from(report.pixels).powi(2)
 }
 
 /// The front in a few lines.
@@ -276,9 +307,8 @@ fn summary(report: &CostReport, folder: &Path) -> String {
         "dB",
         "rays a pixel"
     );
-    let pixels = f64::from(report.pixels).powi(2);
-    let mut line = |row: &crate::study::CostRow| {
-        let rays = row.rays as f64 / pixels;
+    let mut line = |row: &CostRow| {
+        let rays = rays_a_pixel(report, row);
         let (ms, db) = (row.milliseconds.median, row.psnr_db);
         text.push_str(&format!("{ms:>10.2} {db:>8.1} {rays:>12.2}  {}\n", row.setting));
     };
