@@ -10,7 +10,7 @@ use crate::components::range::MAX_PIXELS;
 use crate::effects::EffectSet;
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, SceneTables};
+use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, Refinement, SceneTables};
 
 use super::WorldProblem;
 use super::problem::lacking;
@@ -73,6 +73,7 @@ impl<T: Real> Tables<T> {
 pub struct Frame {
     pub(super) film: Film,
     pub(super) counts: Counts,
+    pub(super) refinement: Option<Refinement>,
     pub(super) error: Option<FrameError>,
 }
 
@@ -83,6 +84,13 @@ impl Frame {
             Some(error) => Err(error.clone()),
             None => Ok((&self.film, &self.counts)),
         }
+    }
+}
+
+impl Frame {
+    /// How many samples each pixel has, where that was decided pixel by pixel.
+    pub fn refinement(&self) -> Option<&Refinement> {
+        self.refinement.as_ref()
     }
 }
 

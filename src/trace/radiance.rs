@@ -9,16 +9,48 @@ use super::filtered_color::{PixelSpot, filtered_color};
 use super::kernel::{has, known};
 use super::shade::{Lighting, Look, Shaded};
 use super::{
-    CameraRay, Counts, Departure, GlassRow, Hit, Kind, SampleId, SceneTables, ShapeColumns, SurfaceRow,
-    closest_hit,
+    CameraRay, Counts, Departure, GlassRow, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns,
+    SurfaceRow, Trail, closest_hit,
 };
 
 /// Where glass splits a ray in two, no part is followed of which less than this, in every channel, would reach the pixel.
 /// The parts of a ray are together no stronger than it is, so there are never more than 3 * 4096, at any level.
 const SMALLEST_PART: f64 = 1.0 / 4096.0;
 
+/// How far a path is followed.
+#[derive(Clone, Copy, Debug)]
+pub struct Depth<T> {
+    /// Rays that may follow each other.
+    pub level: u32,
+    /// Share of the light in the pixel, 0 to 1: a ray that carries no more in any channel is not followed.
+    pub cutoff: T,
+}
+
+impl<T: Real> Depth<T> {
+    /// As far as the level allows, as long as anything arrives.
+    pub fn of_level(level: u32) -> Self {
+        Self { level, cutoff: T::ZERO }
+    }
+}
+
+/// What a path found.
+#[derive(Clone, Copy, Debug)]
+pub struct Radiance<T> {
+    /// Not clamped.
+    pub color: Rgb<T>,
+    /// What it met.
+    pub trail: Trail,
+}
+
+impl<T: Real> Default for Radiance<T> {
+    /// Nothing.
+    fn default() -> Self {
+        Self { color: Rgb::BLACK, trail: Trail::default() }
+    }
+}
+
 /// The radiance that arrives along a ray of the camera from surfaces within its reach, followed through mirrors and glass
-/// for at most `level` rays in a row (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
+/// for at most `depth.level` rays in a row (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
 /// Not clamped. The caller counts the ray itself.
 ///
 /// The recursion `local + r * (local + r * ...)` is a loop that carries the product of the shares: no level overflows a
@@ -26,11 +58,11 @@ const SMALLEST_PART: f64 = 1.0 / 4096.0;
 pub fn radiance<T: Real>(
     tables: &SceneTables<T>,
     start: CameraRay<T>,
-    level: u32,
+    depth: Depth<T>,
     sample: SampleId,
     counts: &mut Counts,
-) -> Rgb<T> {
-    radiance_of::<T, { EffectSet::COMPILED.bits() }>(tables, start, level, sample, counts)
+) -> Radiance<T> {
+    radiance_of::<T, { EffectSet::COMPILED.bits() }>(tables, start, depth, sample, counts)
 }
 
 /// [`radiance`] in a scene that has no effects but these.
@@ -38,19 +70,21 @@ pub fn radiance<T: Real>(
 pub(super) fn radiance_of<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     start: CameraRay<T>,
-    level: u32,
+    depth: Depth<T>,
     sample: SampleId,
     counts: &mut Counts,
-) -> Rgb<T> {
-    let Some(remaining) = level.checked_sub(1) else { return Rgb::BLACK };
+) -> Radiance<T> {
+    let Some(remaining) = depth.level.checked_sub(1) else { return Radiance::default() };
     let CameraRay { ray, reach, cone } = start;
     let first = Path { ray, reach, cone, departure: Departure::Free, weight: Rgb::WHITE, remaining };
-    let mut walk = Walk::<T, EFFECTS> { tables, sample, rays: 0, sum: Rgb::BLACK, waiting: Vec::new() };
+    let cutoff = depth.cutoff;
+    let found = Radiance::default();
+    let mut walk = Walk::<T, EFFECTS> { tables, cutoff, sample, rays: 0, found, waiting: Vec::new() };
     let mut next = Some(first);
     while let Some(path) = next {
         next = walk.follow(&path, counts).or_else(|| walk.next_waiting());
     }
-    walk.sum
+    walk.found
 }
 
 /// A ray on its way, and what becomes of the light that it finds.
@@ -69,10 +103,11 @@ struct Path<T> {
 /// All rays of one sample.
 struct Walk<'a, T: Real, const EFFECTS: u32> {
     tables: &'a SceneTables<T>,
+    cutoff: T,
     sample: SampleId,
     /// Rays so far.
     rays: u32,
-    sum: Rgb<T>,
+    found: Radiance<T>,
     waiting: Vec<Path<T>>,
 }
 
@@ -88,11 +123,12 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         let tables = self.tables;
         self.rays += 1;
         let Some(hit) = closest_hit(tables, &path.ray, &path.departure, path.reach) else {
-            self.sum += tables.air.beyond::<EFFECTS>(path.ray.direction) * path.weight;
+            self.found.color += tables.air.beyond::<EFFECTS>(path.ray.direction) * path.weight;
             return None;
         };
         let (surfaces, row) = tables.surface(hit.object);
         let surface = surfaces.row(row).of_kernel::<EFFECTS>();
+        self.found.trail = self.found.trail.after(ObjectId::packed(hit.object.kind, hit.object.row));
         let weight = self.dim(path, &hit, &surface);
         if weight == Rgb::BLACK {
             return None;
@@ -114,7 +150,7 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         );
         let look = Look { sample: self.sample, ray: self.rays };
         let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
-        self.sum += lighting.shade::<EFFECTS>(own, counts) * weight;
+        self.found.color += lighting.shade::<EFFECTS>(own, &mut self.found.trail, counts) * weight;
 
         let reflected = Path {
             ray: Ray { origin: shaded.point, direction: mirrored },
@@ -125,10 +161,11 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
             remaining: path.remaining.wrapping_sub(1),
         };
         if let Some(glass) = glass {
-            let pane = Pane { glass, hit: &hit, normal: shaded.normal, direction, weight };
+            let cutoff = self.cutoff;
+            let pane = Pane { glass, hit: &hit, normal: shaded.normal, direction, weight, cutoff };
             return pane.part(mirror, reflected, &mut self.waiting, counts);
         }
-        (reflected.weight != Rgb::BLACK).then_some(reflected).inspect(|_| counts.rays.mirror += 1)
+        (reflected.weight.largest() > self.cutoff).then_some(reflected).inspect(|_| counts.rays.mirror += 1)
     }
 
     /// What is left of a ray's light on the way to what it met; what fog adds to it is added.
@@ -143,7 +180,7 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         match known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze.as_ref()) {
             Some(haze) => {
                 let (added, left) = dim_in(haze, path.weight, distance);
-                self.sum += added;
+                self.found.color += added;
                 left
             }
             None => path.weight,
@@ -169,6 +206,8 @@ struct Pane<'a, T> {
     direction: Vector<T>,
     /// Share of the ray's light in the pixel.
     weight: Rgb<T>,
+    /// See [`Depth`].
+    cutoff: T,
 }
 
 impl<T: Real> Pane<'_, T> {
@@ -192,7 +231,7 @@ impl<T: Real> Pane<'_, T> {
             ..reflected
         });
         let [reflected, refracted] =
-            [Some(reflected), refracted].map(|path| path.filter(|path| path.weight != Rgb::BLACK));
+            [Some(reflected), refracted].map(|path| path.filter(|path| path.weight.largest() > self.cutoff));
         let smallest =
             if reflected.is_some() && refracted.is_some() { T::from_f64(SMALLEST_PART) } else { T::ZERO };
         let [reflected, refracted] =

@@ -6,7 +6,7 @@ use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
 use super::kernel::known;
 use super::{
-    Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, is_occluded,
+    Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail, is_occluded,
 };
 
 /// A surface point as the shading sees it.
@@ -55,21 +55,29 @@ pub(super) struct Lighting<'a, T: Real> {
 struct LightSums<T> {
     lambert: Rgb<T>,
     phong: Rgb<T>,
+    trail: Trail,
 }
 
 impl<T: Real> Lighting<'_, T> {
-    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`.
+    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`. The lights that reach it
+    /// are noted in the trail.
     #[inline(always)]
-    pub(super) fn shade<const EFFECTS: u32>(&self, own: Rgb<T>, counts: &mut Counts) -> Rgb<T> {
+    pub(super) fn shade<const EFFECTS: u32>(
+        &self,
+        own: Rgb<T>,
+        trail: &mut Trail,
+        counts: &mut Counts,
+    ) -> Rgb<T> {
         let surface = self.surface;
-        let sums = self.gather::<EFFECTS>(counts);
+        let sums = self.gather::<EFFECTS>(*trail, counts);
+        *trail = sums.trail;
         let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
         own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
     }
 
     #[inline(always)]
-    fn gather<const EFFECTS: u32>(&self, counts: &mut Counts) -> LightSums<T> {
-        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK };
+    fn gather<const EFFECTS: u32>(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
+        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail };
         for row in 0..self.tables.lights.len() {
             let lights = &self.tables.lights;
             if let Some(toward) = known::<EFFECTS, _>(Effect::Directional, lights.toward.get(row)) {
@@ -172,14 +180,14 @@ impl<T: Real> Lighting<'_, T> {
             return;
         }
         match color {
-            Some(&color) => self.shine_in_color(to_light(), color * scale, sums),
-            None => self.shine(to_light(), Rgb::gray(scale), sums),
+            Some(&color) => self.shine_in_color(row, to_light(), color * scale, sums),
+            None => self.shine(row, to_light(), Rgb::gray(scale), sums),
         }
     }
 
     #[inline(never)]
-    fn shine_in_color(&self, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
-        self.shine(to_light, color, sums);
+    fn shine_in_color(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+        self.shine(row, to_light, color, sums);
     }
 
     #[inline(always)]
@@ -190,7 +198,8 @@ impl<T: Real> Lighting<'_, T> {
     }
 
     #[inline(always)]
-    fn shine(&self, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+    fn shine(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+        sums.trail = sums.trail.lit_by(row);
         sums.lambert += color * lambert(to_light, self.shaded.normal);
         if let Some(gloss) = self.surface.gloss {
             sums.phong += color * phong(self.mirrored, to_light, gloss.shininess);
