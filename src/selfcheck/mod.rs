@@ -21,6 +21,7 @@ pub use double::Double;
 pub use edges::{check_cubes, check_planes, check_pyramids};
 pub use leaving::check_leaving;
 pub use pictures::check_pictures;
+pub use random::Random;
 pub use tally::Tally;
 
 /// Seed of the first ray of the first group, unless another is given.

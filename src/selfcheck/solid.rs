@@ -174,7 +174,7 @@ fn judge<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray<T>, found:
 /// Checks the kernel with branches, the one without, and the surface point of both.
 pub(super) fn check<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray<T>) {
     let found = solid.intersect(ray);
-    tally.wrong += u64::from(solid.meet(ray).crossing() != found);
+    tally.wrong += u64::from(solid.meet_surely(ray).crossing() != found);
     if let Some(crossing) = found {
         let (point, other) = (solid.locate(ray, &crossing), solid.surface(ray, &crossing.into()));
         tally.wrong += u64::from(point != other);
@@ -185,7 +185,7 @@ pub(super) fn check<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray
 /// A plane is met on both sides: the half-space below it or the one above it is left ahead.
 pub(super) fn check_plane<T: Real>(tally: &mut Tally, plane: &PlaneShape<T>, ray: &Ray<T>) {
     let found = plane.intersect(ray);
-    tally.wrong += u64::from(plane.meet(ray).crossing() != found);
+    tally.wrong += u64::from(plane.meet_surely(ray).crossing() != found);
     tally.cases += 1;
     let approach = plane.faces()[0].approach(ray);
     let truth = approach.room / approach.slope;

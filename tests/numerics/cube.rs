@@ -5,8 +5,8 @@ use glam::DVec3;
 
 use crate::oracle::{Body, Chord, Exact, ExactRay, Meeting, exact, magnitude, nearest, relative_error};
 use crate::precision::{Precision, bits, ray};
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 /// One difference and one quotient, half an epsilon each.
 const T_BOUND: f64 = 1.0 + 1e-6;
