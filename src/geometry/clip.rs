@@ -97,6 +97,11 @@ pub(super) struct ExactCut {
     pub(super) slope: Expansion,
 }
 
+/// Whether twice the digits are at hand: what single precision cannot tell, double nearly always can.
+pub(super) fn is_single<T: Real>() -> bool {
+    T::ULP.to_f64() > f64::EPSILON
+}
+
 /// What the half-spaces of the faces leave of a line, decided exactly: the first end ahead of `t = 0`.
 pub(super) fn first_ahead_exactly(cuts: &[ExactCut]) -> Option<Crossing<f64>> {
     if !is_any_left(cuts) {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::clip::{ExactCut, Span, first_ahead_exactly};
+use super::clip::{ExactCut, Span, first_ahead_exactly, is_single};
 use super::expansion::Expansion;
 use super::{Convex, Crossing, Ray, Real, Side, SurfacePoint, Vector};
 
@@ -84,15 +84,17 @@ impl<T: Real> PyramidShape<T> {
     #[cold]
     #[inline(never)]
     fn intersect_exactly(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
-        let double = |v: Vector<T>| Vector::from_dvec3(v.to_dvec3());
-        let ray = Ray { origin: double(ray.origin), direction: double(ray.direction) };
         let [base, half_width, height] = [self.base, self.half_width, self.height].map(T::to_f64);
-        let pyramid = PyramidShape { apex: double(self.apex), base, half_width, height };
-        // Twice the digits of single precision tell nearly always.
-        let is_single = T::ULP.to_f64() > f64::EPSILON;
-        let Crossing { t, face, side } =
-            if is_single { pyramid.intersect(&ray) } else { first_ahead_exactly(&pyramid.exact_cuts(&ray)) }?;
-        let t = T::from_f64(t);
+        let (pyramid, double) =
+            (PyramidShape { apex: self.apex.in_double(), base, half_width, height }, ray.in_double());
+        let decided = if is_single::<T>() {
+            pyramid.intersect(&double)
+        } else {
+            first_ahead_exactly(&pyramid.exact_cuts(&double))
+        };
+        let Crossing { t, face, side } = decided?;
+        // The base by the usual quotient, which is that of a plane at the same height.
+        let t = if face == BASE { (ray.origin.z - self.base) / -ray.direction.z } else { T::from_f64(t) };
         (t > T::ZERO && t.is_finite()).then_some(Crossing { t, face, side })
     }
 

@@ -8,6 +8,7 @@ mod plane;
 mod pyramid;
 mod sphere;
 
+use super::clip::is_close;
 use super::{Convex, Crossing, Ray, Real, Side, SurfacePoint};
 
 /// A crossing, or none, in plain numbers.
@@ -95,7 +96,8 @@ impl<T: Real> Span<T> {
         let t = if outside { self.enter } else { self.leave };
         let face = if outside { self.enter_face } else { self.leave_face };
         let is_empty = self.outside | (self.enter > self.leave);
-        let meets = !is_empty & (t > T::ZERO) & (t < T::INFINITY);
-        Meeting { t: if meets { t } else { T::NAN }, face, inside: !outside, unsure: false }
+        let unsure = is_close(self.enter, self.leave) & !self.outside;
+        let meets = !is_empty & !unsure & (t > T::ZERO) & (t < T::INFINITY);
+        Meeting { t: if meets { t } else { T::NAN }, face, inside: !outside, unsure }
     }
 }

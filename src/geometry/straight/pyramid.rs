@@ -1,7 +1,6 @@
 //! The pyramid.
 
 use super::{Meeting, Span, Straight};
-use crate::geometry::clip::is_close;
 use crate::geometry::pyramid::{BASE, SIDES};
 use crate::geometry::{PyramidShape, Ray, Real, SurfacePoint, Vector};
 
@@ -70,8 +69,7 @@ impl<T: Real> Straight<T> for PyramidShape<T> {
         let room = if along_x { low_room } else { high_room };
         let is_side = meeting.face < u32::from(BASE);
         let leaves = meeting.inside & is_side & (room <= self.side_rounding(ray, along_x));
-        let is_along_side = self.is_along_side(ray, [slope_0, slope_1, slope_2, slope_3]);
-        let unsure = is_along_side | (is_close(span.enter, span.leave) & !span.outside);
+        let unsure = meeting.unsure | self.is_along_side(ray, [slope_0, slope_1, slope_2, slope_3]);
         Meeting { t: if leaves | unsure { T::NAN } else { meeting.t }, unsure, ..meeting }
     }
 
