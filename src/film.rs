@@ -29,6 +29,11 @@ impl Film {
         &self.pixels
     }
 
+    /// All pixels, top row first, to be written.
+    pub fn pixels_mut(&mut self) -> &mut [[f64; 3]] {
+        &mut self.pixels
+    }
+
     /// Chooses what light becomes in 8 bits; linear unless said otherwise.
     pub fn set_transfer(&mut self, transfer: Transfer) {
         self.transfer = transfer;

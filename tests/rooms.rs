@@ -113,7 +113,12 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/study",
-        crates: &[("bevy_ecs", All), ("glam", Only(&["tests.rs"])), ("plotters", Only(&["bars.rs"]))],
+        crates: &[
+            ("bevy_ecs", All),
+            ("glam", Only(&["tests.rs"])),
+            ("plotters", Only(&["bars.rs"])),
+            ("serde", All),
+        ],
         rooms: &["components", "effects", "film", "geometry", "systems", "trace"],
         may: &[],
     },

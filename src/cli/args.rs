@@ -10,10 +10,11 @@ use clap::error::ErrorKind;
 use clap::{Args as ClapArgs, CommandFactory, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
-use crate::components::range::{COORDINATE, MAX_GRID, MAX_LEVEL, MAX_PIXELS};
-use crate::components::{self, Sampling};
+use crate::components::range::{COEFFICIENT, COORDINATE, MAX_GRID, MAX_LEVEL, MAX_LIGHT_SAMPLES, MAX_PIXELS};
+use crate::components::{self, Sampling, TextureFilter};
 use crate::effects::Effect;
 use crate::image_file::format_of;
+use crate::study::{Preset, Setting};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -77,20 +78,86 @@ pub(super) struct PictureArgs {
     /// Pixels along each side [default: the scene's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_PIXELS)))]
     pub(super) size: Option<u32>,
-    /// Level of recursion: 0 is black, 1 has no mirror image [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_LEVEL)))]
-    pub(super) level: Option<u32>,
-    /// Samples of each pixel, on a regular grid: 1, 4, 9, 16, ... The pixel is their mean
-    #[arg(long, value_name = "N", default_value = "1", value_parser = samples)]
-    pub(super) samples: Sampling,
+    #[command(flatten)]
+    pub(super) accuracy: AccuracyArgs,
     #[command(flatten)]
     pub(super) images: ImageArgs,
-    /// Floating-point precision of the trace
-    #[arg(long, value_enum, default_value_t = Precision::F64)]
-    pub(super) precision: Precision,
     /// Threads that trace [default: one per processor]
     #[arg(long, value_name = "N", value_parser = thread_count())]
     pub(super) threads: Option<NonZeroUsize>,
+}
+
+/// What trades truth for time.
+#[derive(Debug, ClapArgs)]
+#[command(next_help_heading = "Accuracy")]
+pub(super) struct AccuracyArgs {
+    /// Where to start from; the other flags go on from there [default: assignment]
+    #[arg(long, value_name = "NAME", value_parser = preset())]
+    pub(super) preset: Option<Preset>,
+    /// Samples of each pixel, on a regular grid: 1, 4, 9, 16, ... The pixel is their mean [default: 1]
+    #[arg(long, value_name = "N", value_parser = samples)]
+    pub(super) samples: Option<Sampling>,
+    /// Take the samples one after the other, in each pixel until its error is expected to be no more than this, 0 to 1
+    #[arg(long, value_name = "ERROR", value_parser = share)]
+    pub(super) adaptive: Option<f64>,
+    /// Level of recursion: 0 is black, 1 has no mirror image [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_LEVEL)))]
+    pub(super) level: Option<u32>,
+    /// Follow no ray that carries no more than this share of the light in a pixel, 0 to 1 [default: 0]
+    #[arg(long, value_name = "SHARE", value_parser = share)]
+    pub(super) cutoff: Option<f64>,
+    /// Floating-point precision of the trace [default: f64]
+    #[arg(long, value_enum)]
+    pub(super) precision: Option<Precision>,
+    /// Plain checkerboards show the mean of what a pixel covers; another model than the assignment's
+    #[arg(long)]
+    pub(super) checker_filter: bool,
+    /// How images are read [default: nearest]
+    #[arg(long, value_name = "FILTER", value_enum)]
+    pub(super) texture_filter: Option<ImageFilter>,
+    /// Shadow rays towards each area light [default: the light's own number]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_LIGHT_SAMPLES)))]
+    pub(super) light_samples: Option<u32>,
+}
+
+impl AccuracyArgs {
+    /// The setting that is asked for, of a scene with this one.
+    pub(super) fn setting(&self, scene: Setting) -> Setting {
+        let start = self.preset.unwrap_or(Preset::Assignment).of(scene);
+        Setting {
+            side: self.samples.map_or(start.side, |sampling| sampling.side),
+            // A number of samples alone asks for just as many.
+            threshold: self.adaptive.or(start.threshold.filter(|_| self.samples.is_none())),
+            level: self.level.unwrap_or(start.level),
+            cutoff: self.cutoff.unwrap_or(start.cutoff),
+            precision: self.precision.map_or(start.precision, Into::into),
+            checker_filter: self.checker_filter || start.checker_filter,
+            texture_filter: self.texture_filter.map(Into::into).or(start.texture_filter),
+            light_samples: self.light_samples.or(start.light_samples),
+            ..start
+        }
+    }
+}
+
+/// How images on the checkerboard are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum ImageFilter {
+    /// The texel at the point itself
+    Nearest,
+    /// The nearest four texels, in proportion
+    Bilinear,
+    /// The mean of what the pixel covers
+    Mip,
+}
+
+impl From<ImageFilter> for TextureFilter {
+    fn from(filter: ImageFilter) -> Self {
+        match filter {
+            ImageFilter::Nearest => Self::Nearest,
+            ImageFilter::Bilinear => Self::Bilinear,
+            ImageFilter::Mip => Self::Mip,
+        }
+    }
 }
 
 /// Say what effects a scene asks for, who asks for them, and what each costs: rays, rows, bytes, milliseconds, and the
@@ -326,6 +393,17 @@ fn samples(text: &str) -> Result<Sampling, String> {
     let side = side.filter(|side| Some(side * side) == count);
     side.map(|side| Sampling { side })
         .ok_or_else(|| format!("must be a square number from 1 to {}: 1, 4, 9, 16, ...", MAX_GRID * MAX_GRID))
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let share = text.parse().ok().filter(|share| COEFFICIENT.contains(*share));
+    share.ok_or_else(|| format!("must be {}", COEFFICIENT.words))
+}
+
+fn preset() -> impl TypedValueParser<Value = Preset> {
+    clap::builder::PossibleValuesParser::new(Preset::ALL.map(Preset::name)).try_map(|name| {
+        Preset::ALL.into_iter().find(|preset| preset.name() == name).ok_or("must be the name of a preset")
+    })
 }
 
 fn point(text: &str) -> Result<DVec3, String> {

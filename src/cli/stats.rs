@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
-use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
+use crate::study::{Knobs, Setting};
 use crate::systems::Tables;
 use crate::trace::Counts;
 
@@ -18,7 +18,10 @@ pub(super) struct Stats {
     threads: usize,
     pixels: u64,
     samples: u64,
+    /// Of a pixel, on average: fewer than `samples` where that was decided pixel by pixel.
+    mean_samples: f64,
     level: u32,
+    setting: Knobs,
     phases_ms: Phases,
     rays: Rays,
     rows: BTreeMap<&'static str, usize>,
@@ -52,7 +55,7 @@ struct Rays {
 impl Stats {
     /// The statistics of one picture.
     pub(super) fn new<T: Real>(
-        (snapshot, sampling): (Snapshot, Sampling),
+        (setting, mean_samples): (Setting, Option<f64>),
         threads: usize,
         phases: Phases,
         counts: &Counts,
@@ -64,9 +67,11 @@ impl Stats {
             version: env!("CARGO_PKG_VERSION"),
             precision: T::NAME,
             threads,
-            pixels: u64::from(snapshot.pixels).pow(2),
-            samples: u64::from(sampling.side).pow(2),
-            level: snapshot.level,
+            pixels: u64::from(setting.pixels).pow(2),
+            samples: u64::from(setting.side).pow(2),
+            mean_samples: mean_samples.unwrap_or(f64::from(setting.side * setting.side)),
+            level: setting.level,
+            setting: setting.knobs(),
             phases_ms: phases,
             rays: Rays {
                 primary: counts.rays.primary,

@@ -5,12 +5,24 @@
 
 mod ablation;
 mod bars;
+mod chooser;
+mod cost;
 mod difference;
+mod lab;
+mod preset;
+mod setting;
 mod spread;
 #[cfg(test)]
 mod tests;
 
 pub use ablation::{Ablation, EffectPrice, Removal, ablate};
 pub use bars::draw_bars;
+pub use chooser::{Choice, Chooser, FrontPoint, Wish, choose};
+pub use cost::{
+    CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference,
+};
 pub use difference::Difference;
+pub use lab::{Glimpse, Lab, Shot, Windows};
+pub use preset::Preset;
+pub use setting::{Knobs, Setting};
 pub use spread::Spread;
