@@ -8,6 +8,7 @@ mod bars;
 mod chooser;
 mod cost;
 mod difference;
+mod heat;
 mod lab;
 mod preset;
 mod setting;
@@ -22,6 +23,7 @@ pub use cost::{
     CareRow, CostReport, CostRow, EffectRow, KnobStep, Machine, NextSixDb, PictureEntry, Reference,
 };
 pub use difference::Difference;
+pub use heat::{ERROR_LEVELS, error_colors, error_map, error_share, false_color, false_colors};
 pub use lab::{Glimpse, Lab, Shot, Windows};
 pub use preset::Preset;
 pub use setting::{Knobs, Setting};
