@@ -59,6 +59,20 @@ impl Film {
         }
     }
 
+    /// The same picture with more pixels along each side, each of which shows the one below it; `None` if there is no memory
+    /// for it.
+    pub fn enlarged(&self, side: u32) -> Option<Self> {
+        let mut large = Self::new(side)?;
+        large.transfer = self.transfer;
+        let from = |place: u32| (u64::from(place) * u64::from(self.side) / u64::from(side)) as usize;
+        for (row, pixels) in (0..side).zip(large.pixels.chunks_mut(side.max(1) as usize)) {
+            for (column, pixel) in (0..side).zip(pixels) {
+                *pixel = self.pixels[from(row) * self.side as usize + from(column)];
+            }
+        }
+        Some(large)
+    }
+
     /// Divides every pixel, as the sum of that many samples.
     pub fn divide(&mut self, samples: u32) {
         // Nothing changes for one, and reading a large film takes its time.

@@ -14,7 +14,7 @@ use crate::components::range::{COEFFICIENT, COORDINATE, MAX_GRID, MAX_LEVEL, MAX
 use crate::components::{self, Sampling, TextureFilter};
 use crate::effects::Effect;
 use crate::image_file::format_of;
-use crate::study::{Preset, Setting};
+use crate::study::{Chooser, Preset, Setting, Wish};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -42,6 +42,7 @@ pub(super) enum Command {
     Preview(PreviewArgs),
     Check(CheckArgs),
     Effects(EffectsArgs),
+    Cost(CostArgs),
     Write(WriteArgs),
     Selfcheck(SelfcheckArgs),
     #[cfg(feature = "viewer")]
@@ -59,6 +60,8 @@ pub(super) struct RenderArgs {
     pub(super) output: PathBuf,
     #[command(flatten)]
     pub(super) picture: PictureArgs,
+    #[command(flatten)]
+    pub(super) wish: WishArgs,
     /// Switch an effect off, as if no entity asked for it: its name in `archetrace effects`; more than once for more
     #[arg(long, value_name = "EFFECT", value_parser = effect())]
     pub(super) without: Vec<Effect>,
@@ -87,8 +90,16 @@ pub(super) struct PictureArgs {
     pub(super) threads: Option<NonZeroUsize>,
 }
 
+impl PictureArgs {
+    /// What a scene shows through a camera, everything else as it is.
+    pub(super) fn of_scene(camera: &CameraArgs, images: &ImageArgs) -> Self {
+        let (camera, images) = (camera.clone(), images.clone());
+        Self { camera, size: None, accuracy: AccuracyArgs::default(), images, threads: None }
+    }
+}
+
 /// What trades truth for time.
-#[derive(Debug, ClapArgs)]
+#[derive(Debug, Default, ClapArgs)]
 #[command(next_help_heading = "Accuracy")]
 pub(super) struct AccuracyArgs {
     /// Where to start from; the other flags go on from there [default: assignment]
@@ -121,6 +132,11 @@ pub(super) struct AccuracyArgs {
 }
 
 impl AccuracyArgs {
+    /// The knobs that nobody has set.
+    pub(super) fn free(&self) -> Chooser {
+        Chooser { precision: self.precision.is_none(), depth: self.level.is_none() && self.cutoff.is_none() }
+    }
+
     /// The setting that is asked for, of a scene with this one.
     pub(super) fn setting(&self, scene: Setting) -> Setting {
         let start = self.preset.unwrap_or(Preset::Assignment).of(scene);
@@ -136,6 +152,30 @@ impl AccuracyArgs {
             light_samples: self.light_samples.or(start.light_samples),
             ..start
         }
+    }
+}
+
+/// What the accuracy is chosen for.
+#[derive(Debug, ClapArgs)]
+#[command(next_help_heading = "Accuracy chosen from a wish")]
+#[group(multiple = false, conflicts_with_all = ["preset", "samples", "adaptive"])]
+pub(super) struct WishArgs {
+    /// The truest picture that is traced in this time, as 200ms or 1.5s
+    #[arg(long, value_name = "TIME", value_parser = time)]
+    budget: Option<f64>,
+    /// The fastest picture with this peak signal to noise, as 40dB
+    #[arg(long, value_name = "DECIBELS", value_parser = decibels)]
+    target: Option<f64>,
+    /// The fastest picture whose channels are off by no more levels of 8 bits, as the root of the mean square
+    #[arg(long, value_name = "LEVELS", value_parser = levels)]
+    target_level: Option<f64>,
+}
+
+impl WishArgs {
+    /// What is wished for, if anything.
+    pub(super) fn wish(&self) -> Option<Wish> {
+        let budget = self.budget.map(Wish::Budget);
+        budget.or(self.target.map(Wish::Decibels)).or(self.target_level.map(Wish::Levels))
     }
 }
 
@@ -182,8 +222,46 @@ pub(super) struct EffectsArgs {
     pub(super) instructions: bool,
 }
 
+/// Show what accuracy costs in time: trace a scene with every knob turned, compare with a reference, and write the price
+/// list.
+#[derive(Debug, Parser)]
+#[command(after_help = COST_HELP)]
+pub(super) struct CostArgs {
+    /// Scene description
+    pub(super) scene: PathBuf,
+    /// Folder for the report: cost.html, cost.csv, cost.json, cost.svg and pictures [default: <scene>-cost]
+    #[arg(short, long, value_name = "DIR")]
+    pub(super) output: Option<PathBuf>,
+    /// Fewer settings and samples, at 256 pixels or less
+    #[arg(long)]
+    pub(super) quick: bool,
+    /// How often each setting is traced, in turns with the others [default: 7, or 3 with --quick]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(super) rounds: Option<u32>,
+    /// Count instructions as well, with valgrind
+    #[arg(long)]
+    pub(super) instructions: bool,
+    #[command(flatten)]
+    pub(super) camera: CameraArgs,
+    /// Pixels along each side [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=4096))]
+    pub(super) size: Option<u32>,
+    #[command(flatten)]
+    pub(super) images: ImageArgs,
+    /// Threads that trace [default: one per processor]
+    #[arg(long, value_name = "N", value_parser = thread_count())]
+    pub(super) threads: Option<NonZeroUsize>,
+}
+
+const COST_HELP: &str = "\
+Ctrl-C ends it early; what was measured until then is written.
+
+Examples:
+  archetrace cost scenes/official.txt --quick
+  archetrace cost scenes/official.txt -o prices --size 512 --instructions";
+
 /// Where the camera stands and where it looks.
-#[derive(Debug, ClapArgs)]
+#[derive(Clone, Debug, ClapArgs)]
 pub(super) struct CameraArgs {
     /// Eye position
     #[arg(long, value_name = "X,Y,Z", default_value = "0,-150,50", value_parser = point, allow_hyphen_values = true)]
@@ -197,7 +275,7 @@ pub(super) struct CameraArgs {
 }
 
 /// What lies on the checkerboard.
-#[derive(Debug, ClapArgs)]
+#[derive(Clone, Debug, ClapArgs)]
 pub(super) struct ImageArgs {
     /// Lay images on the checkerboard: `texture_w.bmp` and `texture_b.bmp` beside the scene, or built-in ones
     #[arg(long)]
@@ -398,6 +476,27 @@ fn samples(text: &str) -> Result<Sampling, String> {
 fn share(text: &str) -> Result<f64, String> {
     let share = text.parse().ok().filter(|share| COEFFICIENT.contains(*share));
     share.ok_or_else(|| format!("must be {}", COEFFICIENT.words))
+}
+
+fn time(text: &str) -> Result<f64, String> {
+    let factors = [("ms", 1.0), ("s", 1e3)];
+    let found = factors.into_iter().find_map(|(unit, factor)| {
+        let number: f64 = text.strip_suffix(unit)?.trim().parse().ok()?;
+        Some(number * factor)
+    });
+    let within = |milliseconds: &f64| *milliseconds > 0.0 && *milliseconds <= 1e9;
+    found.filter(within).ok_or_else(|| "must be a time above 0, as 200ms or 1.5s".to_owned())
+}
+
+fn decibels(text: &str) -> Result<f64, String> {
+    let number = text.strip_suffix("dB").or_else(|| text.strip_suffix("db")).unwrap_or(text).trim();
+    let found = number.parse().ok().filter(|decibels| (0.0..=200.0).contains(decibels));
+    found.ok_or_else(|| "must be a number of decibels from 0 to 200, as 40dB".to_owned())
+}
+
+fn levels(text: &str) -> Result<f64, String> {
+    let found = text.parse().ok().filter(|levels| (1e-6..=255.0).contains(levels));
+    found.ok_or_else(|| "must be a number of levels from 0.000001 to 255".to_owned())
 }
 
 fn preset() -> impl TypedValueParser<Value = Preset> {

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use bevy_ecs::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -10,7 +11,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::components::Precision;
 use crate::geometry::Real;
 use crate::image_file::encode;
-use crate::study::Setting;
+use crate::study::{Choice, FrontPoint, Lab, Setting, Wish, choose};
 use crate::systems::{
     Frame, FrameError, Monitor, Muted, Tables, Workers, build_schedule, prepare, tables_schedule,
     trace_schedule,
@@ -43,10 +44,43 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), CliError> {
     let setting = load_picture(&args.scene, &args.picture, &mut world)?;
     world.insert_resource(Muted(args.without.iter().copied().collect()));
     phases.load = clock.lap();
-    let job = Job { args, setting, stop };
+    let choice = args.wish.wish().map(|wish| chosen(args, setting, wish, &mut world)).transpose()?;
+    let setting = choice.as_ref().map_or(setting, |choice| choice.point.setting);
+    setting.apply(&mut world);
+    phases.choose = clock.lap();
+    let job = Job { args, setting, choice, stop };
     match setting.precision {
         Precision::F64 => job.run::<f64>(world, clock, phases),
         Precision::F32 => job.run::<f32>(world, clock, phases),
+    }
+}
+
+/// What meets a wish, with a warning where nothing does.
+fn chosen(args: &RenderArgs, start: Setting, wish: Wish, world: &mut World) -> Result<Choice, CliError> {
+    let began = Instant::now();
+    let mut clock = || began.elapsed().as_secs_f64() * 1e3;
+    let workers = workers(args)?;
+    let free = args.picture.accuracy.free();
+    let choice = choose(&mut Lab::new(world, &workers), start, free, wish, &mut clock)?;
+    let FrontPoint { setting, milliseconds, .. } = choice.point;
+    let expected = format!("{milliseconds:.0} ms and {:.1} dB expected", choice.point.psnr_db());
+    if choice.meets {
+        say(&format!("chosen: {} ({expected})", setting.flags()));
+    } else {
+        say(&format!(
+            "warning: nothing tried meets {}; the closest is {} ({expected})",
+            in_words(wish),
+            setting.flags()
+        ));
+    }
+    Ok(choice)
+}
+
+fn in_words(wish: Wish) -> String {
+    match wish {
+        Wish::Budget(milliseconds) => format!("a budget of {milliseconds} ms"),
+        Wish::Decibels(decibels) => format!("a target of {decibels} dB"),
+        Wish::Levels(levels) => format!("a target of {levels} levels"),
     }
 }
 
@@ -54,6 +88,7 @@ pub(super) fn render(args: &RenderArgs) -> Result<(), CliError> {
 struct Job<'a> {
     args: &'a RenderArgs,
     setting: Setting,
+    choice: Option<Choice>,
     stop: Arc<AtomicBool>,
 }
 
@@ -64,7 +99,7 @@ impl Job<'_> {
         mut clock: Stopwatch,
         mut phases: Phases,
     ) -> Result<(), CliError> {
-        let &Job { args, setting, ref stop } = self;
+        let &Job { args, setting, ref choice, ref stop } = self;
         prepare::<T>(&mut world, workers(args)?);
         tables_schedule::<T>().run(&mut world);
         phases.extract = clock.lap();
@@ -89,6 +124,9 @@ impl Job<'_> {
         write_whole(&args.output, &picture)?;
         phases.write = clock.lap();
 
+        if choice.is_some() {
+            say(&format!("traced in {:.0} ms", phases.trace));
+        }
         if counts.non_finite > 0 {
             say(&format!("warning: {} samples had no finite radiance and are black", counts.non_finite));
         }
@@ -97,6 +135,7 @@ impl Job<'_> {
             let tables = world.resource::<Tables<T>>();
             let samples = frame.refinement().map(Refinement::mean_samples);
             let stats = Stats::new((setting, samples), threads, phases, counts, tables);
+            let stats = stats.with_prediction(choice.as_ref());
             write_whole(path, &stats.to_json()?)?;
         }
         Ok(())

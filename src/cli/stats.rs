@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 
 use crate::geometry::Real;
-use crate::study::{Knobs, Setting};
+use crate::study::{Choice, Knobs, Setting};
 use crate::systems::Tables;
 use crate::trace::Counts;
 
@@ -22,6 +22,15 @@ pub(super) struct Stats {
     mean_samples: f64,
     level: u32,
     setting: Knobs,
+    /// Of the trace, where the setting was chosen from a wish; beside it what `phases_ms.trace` is in fact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    predicted_ms: Option<f64>,
+    /// Of the picture, where the setting was chosen from a wish.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    predicted_psnr_db: Option<f64>,
+    /// Whether the wish is expected to be met.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wish_met: Option<bool>,
     phases_ms: Phases,
     rays: Rays,
     rows: BTreeMap<&'static str, usize>,
@@ -34,6 +43,8 @@ pub(super) struct Stats {
 pub(super) struct Phases {
     /// Reading, parsing, spawning, textures.
     pub(super) load: f64,
+    /// Choosing a setting from a wish.
+    pub(super) choose: f64,
     /// World to tables.
     pub(super) extract: f64,
     /// Building what makes large tables fast to search.
@@ -72,6 +83,9 @@ impl Stats {
             mean_samples: mean_samples.unwrap_or(f64::from(setting.side * setting.side)),
             level: setting.level,
             setting: setting.knobs(),
+            predicted_ms: None,
+            predicted_psnr_db: None,
+            wish_met: None,
             phases_ms: phases,
             rays: Rays {
                 primary: counts.rays.primary,
@@ -85,6 +99,16 @@ impl Stats {
                 .collect(),
             effects: effects.iter().filter(|count| count.rows > 0).map(|count| count.effect.name()).collect(),
             non_finite: counts.non_finite,
+        }
+    }
+
+    /// With what was predicted of it.
+    pub(super) fn with_prediction(self, choice: Option<&Choice>) -> Self {
+        Self {
+            predicted_ms: choice.map(|choice| choice.point.milliseconds),
+            predicted_psnr_db: choice.map(|choice| choice.point.psnr_db()),
+            wish_met: choice.map(|choice| choice.meets),
+            ..self
         }
     }
 

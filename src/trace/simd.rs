@@ -45,6 +45,17 @@ impl Simd {
         levels.into_iter().flatten().map(Self).collect()
     }
 
+    /// `AVX-512`, `AVX2`, or `baseline` for what every processor of its kind has.
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            Level::Baseline => "baseline",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => "AVX-512",
+        }
+    }
+
     /// Traces pixels with a kernel.
     pub(super) fn trace<'a, T: Real>(
         self,

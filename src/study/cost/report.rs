@@ -1,8 +1,12 @@
 //! What a study of cost finds out: plain numbers, ready to be written as CSV, JSON and a page.
 
+use std::env::consts::{ARCH, OS};
+
 use serde::Serialize;
 
 use crate::study::{Knobs, Spread};
+use crate::systems::Workers;
+use crate::trace::Simd;
 
 /// Everything that `archetrace cost` finds out about a scene.
 #[derive(Clone, Debug, Serialize)]
@@ -37,6 +41,8 @@ pub struct CostReport {
     pub next_6_db: Vec<NextSixDb>,
     /// Each knob one step up and down from `assignment`.
     pub steps: Vec<KnobStep>,
+    /// What adaptive sampling saves, one for each of its rows.
+    pub adaptive: Vec<AdaptiveGain>,
     /// What numerical care costs and buys.
     pub care: Vec<CareRow>,
     /// What the effects of the scene cost.
@@ -125,6 +131,16 @@ pub struct CostRow {
     pub alone_rmse: Option<f64>,
 }
 
+/// Adaptive samples against as many everywhere.
+#[derive(Clone, Debug, Serialize)]
+pub struct AdaptiveGain {
+    /// The adaptive setting.
+    pub setting: String,
+    /// Rays that uniform sampling needs for the same error, interpolated between its rows, by those of this one: above 1
+    /// where it pays. Nothing where no uniform row is as good.
+    pub gain: Option<f64>,
+}
+
 /// One step along the front.
 #[derive(Clone, Debug, Serialize)]
 pub struct NextSixDb {
@@ -200,12 +216,28 @@ pub struct EffectRow {
 /// A picture, its error and its rays.
 #[derive(Clone, Debug, Serialize)]
 pub struct PictureEntry {
-    /// Name of the setting, or `reference`.
+    /// Name of the setting, or `truth` for what the others are compared with.
     pub setting: String,
     /// The picture's file beside the report.
     pub picture: String,
-    /// The file with the error of each pixel in false colours; nothing for the reference.
+    /// The file with the error of each pixel in false colours; nothing for the truth.
     pub error: Option<String>,
     /// The file with the rays of each pixel in false colours.
     pub rays: Option<String>,
+}
+
+impl Machine {
+    /// This machine, tracing with these threads. `cpuinfo` is Linux' `/proc/cpuinfo`, and empty elsewhere.
+    pub fn here(cpuinfo: &str, workers: &Workers) -> Self {
+        let model = cpuinfo.lines().find_map(|line| {
+            let (key, name) = line.split_once(':')?;
+            (key.trim() == "model name").then(|| name.trim().to_owned())
+        });
+        Self {
+            processor: model.unwrap_or_else(|| ARCH.to_owned()),
+            threads: workers.threads(),
+            system: format!("{OS} {ARCH}"),
+            simd: Simd::detect().name().to_owned(),
+        }
+    }
 }
