@@ -64,7 +64,7 @@ impl Film {
     pub fn enlarged(&self, side: u32) -> Option<Self> {
         let mut large = Self::new(side)?;
         large.transfer = self.transfer;
-        let from = |place: u32| (u64::from(place) * u64::from(self.side) / u64::from(side)) as usize;
+        let from = |place: u32| place as usize * self.side as usize / side as usize;
         for (row, pixels) in (0..side).zip(large.pixels.chunks_mut(side.max(1) as usize)) {
             for (column, pixel) in (0..side).zip(pixels) {
                 *pixel = self.pixels[from(row) * self.side as usize + from(column)];

@@ -196,7 +196,7 @@ fn spread(pixels: u32) -> Windows {
     let corner = |row: u32, column: u32| {
         // The golden section and its square spread the places evenly (R. Roberts' R2 sequence has the same idea).
         let number = row * cells + column;
-        let place = |step: u32| (number.wrapping_mul(step) >> 16) * room >> 16;
+        let place = |step: u32| ((number.wrapping_mul(step) >> 16) * room) >> 16;
         [column * cell + place(0x9e37_79b9), row * cell + place(0x6180_339d)]
     };
     let corners = (0..cells).flat_map(|row| (0..cells).map(move |column| corner(row, column))).collect();
