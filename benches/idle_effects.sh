@@ -10,7 +10,7 @@
 # word of some effects, and some scenes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-small=32 large=96 bound=0.01
+small=32 large=128 bound=0.01
 left_out=()
 while (($# > 0)) && [[ $1 != -- ]]; do left_out+=("$1") && shift; done
 scenes=("${@:2}")
