@@ -27,6 +27,8 @@ pub(super) fn extract_air<T: Real>(
     let air = &mut Arc::make_mut(&mut tables.scene).air;
     air.background = background.and_then(|(entity, background)| gradient(entity, background, &mut checks));
     air.haze = fog.and_then(|(entity, fog)| haze(entity, fog, &mut checks));
+    let made = air.effects();
+    tables.runs.note(made);
     tables.problems.insert("Air", checks.problems);
 }
 

@@ -41,6 +41,8 @@ pub(super) fn extract_camera<T: Real>(
             None
         }
     };
+    let made = tables.camera_effects().set();
+    tables.runs.note(made);
     tables.problems.insert("Camera", checks.problems);
 }
 

@@ -45,6 +45,7 @@ pub(super) fn extract_lights<T: Real>(
         table.push(source.row());
     }
     tables.revision += 1;
+    tables.runs.note(table.effects());
     Arc::make_mut(&mut tables.scene).lights = table;
     tables.problems.insert("Light", checks.problems);
 }

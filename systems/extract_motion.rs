@@ -6,6 +6,7 @@ use bevy_ecs::prelude::*;
 use glam::DVec3;
 
 use crate::components::{Shutter, Velocity};
+use crate::effects::{Effect, EffectSet};
 use crate::geometry::{Real, Vector};
 use crate::trace::{MovingRow, ObjectId};
 
@@ -20,6 +21,9 @@ pub(super) fn extract_motion<T: Real>(velocities: Query<&Velocity>, mut tables: 
         None => Vec::new(),
     };
     tables.problems.insert("Motion", checks.problems);
+    if !moving.is_empty() {
+        tables.runs.note(EffectSet::of(&[Effect::MotionBlur]));
+    }
     if tables.scene.moving != moving {
         Arc::make_mut(&mut tables.scene).moving = moving;
         tables.revision += 1;

@@ -38,6 +38,8 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     if !(same_components && replace_rows(&edits, *muted, &mut tables)) {
         rebuild(&objects, &incomplete, *muted, &mut tables);
     }
+    let made = S::table(Arc::make_mut(&mut tables.scene)).effects();
+    tables.runs.note(made);
 }
 
 /// Writes changed objects over their rows. `false`, and a table to be rebuilt, if that is not all there is to do.

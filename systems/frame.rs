@@ -7,13 +7,14 @@ use bevy_ecs::prelude::*;
 use thiserror::Error;
 
 use crate::components::range::MAX_PIXELS;
-use crate::effects::EffectSet;
+use crate::effects::{Effect, EffectSet};
 use crate::film::Film;
 use crate::geometry::Real;
 use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, Refinement, SceneTables};
 
 use super::WorldProblem;
 use super::problem::lacking;
+use super::runs::Runs;
 
 /// The tables of one precision, kept from frame to frame.
 #[derive(Resource, Default)]
@@ -27,6 +28,8 @@ pub struct Tables<T: Real> {
     pub(super) revision: u64,
     /// The entity of each row of the object tables.
     pub(super) entities: BTreeMap<Kind, Vec<Entity>>,
+    /// How often systems worked for each effect.
+    pub(super) runs: Runs,
     /// What is wrong, by the table that it keeps from being right.
     pub(super) problems: BTreeMap<&'static str, Vec<WorldProblem>>,
 }
@@ -35,6 +38,11 @@ impl<T: Real> Tables<T> {
     /// A number that grows whenever the tables of objects or lights were extracted anew.
     pub fn revision(&self) -> u64 {
         self.revision
+    }
+
+    /// How many runs of systems there have been that had a row of an effect to make.
+    pub fn systems_run(&self, effect: Effect) -> u64 {
+        self.runs.of(effect)
     }
 
     /// The entity that a row was extracted from.

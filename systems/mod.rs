@@ -35,6 +35,7 @@ mod list_draws;
 mod muted;
 mod object_rows;
 mod problem;
+mod runs;
 mod shape_tables;
 mod survey_effects;
 mod trace;

@@ -74,6 +74,7 @@ struct Row {
     rays: i64,
     rows: usize,
     bytes: usize,
+    systems: u64,
     milliseconds: Option<f64>,
     milliseconds_iqr: Option<f64>,
     instructions: Option<i64>,
@@ -102,6 +103,7 @@ impl Row {
             rays: price.rays(),
             rows: price.count.rows,
             bytes: price.count.bytes,
+            systems: price.systems,
             milliseconds: added.map(|added| added.median),
             milliseconds_iqr: added.map(|added| added.iqr),
             instructions: instructions.and_then(|instructions| instructions.of(effect)),
@@ -166,11 +168,12 @@ fn table(ablation: &Ablation, rows: &[Row]) -> Result<String, std::fmt::Error> {
     }
     let absent: Vec<&Row> = rows.iter().filter(|row| !row.present).collect();
     if !absent.is_empty() {
-        writeln!(text, "\nabsent            entities  rows  bytes  rays")?;
+        writeln!(text, "\nabsent            entities  rows  bytes  rays  systems run")?;
     }
     for row in absent {
         let name = row.effect.replace('_', " ");
-        writeln!(text, "  {name:<16}{:>8}{:>6}{:>7}{:>6}", row.entities, row.rows, row.bytes, row.rays)?;
+        let counts = format!("{:>8}{:>6}{:>7}{:>6}", row.entities, row.rows, row.bytes, row.rays);
+        writeln!(text, "  {name:<16}{counts}{:>13}", row.systems)?;
     }
     Ok(text)
 }

@@ -111,6 +111,11 @@ impl EffectSet {
         Self(bits)
     }
 
+    /// Those that are said to be there.
+    pub fn present(effects: &[(Effect, bool)]) -> Self {
+        effects.iter().filter(|(_, is_there)| *is_there).map(|&(effect, _)| effect).collect()
+    }
+
     /// One bit an effect: what kernels are compiled for.
     pub const fn bits(self) -> u32 {
         self.0

@@ -28,6 +28,8 @@ pub struct EffectPrice {
     pub count: EffectCount,
     /// Entities that carry it, whatever its value.
     pub entities: usize,
+    /// Runs of systems that made rows of it, for the first frame.
+    pub systems: u64,
     /// What is different without it; nothing where no row asks for it, and then nothing was tried.
     pub without: Option<Removal>,
 }
@@ -66,7 +68,9 @@ pub fn ablate<T: Real>(
 ) -> Result<Ablation, FrameError> {
     let mut bench = Bench::<T>::new();
     bench.set(world, EffectSet::NONE);
-    let counts = world.resource::<Tables<T>>().effect_counts();
+    let tables = world.resource::<Tables<T>>();
+    let counts = tables.effect_counts();
+    let systems: EffectRuns = Effect::ALL.map(|effect| (effect, tables.systems_run(effect)));
     let present: Vec<Effect> = counts.iter().filter(|c| c.rows > 0).map(|c| c.effect).collect();
     let muted: Vec<EffectSet> = core::iter::once(EffectSet::NONE)
         .chain(present.iter().map(|&effect| EffectSet::of(&[effect])))
@@ -100,6 +104,7 @@ pub fn ablate<T: Real>(
     let effects = counts.into_iter().map(|count| EffectPrice {
         count,
         entities: survey.entities(count.effect),
+        systems: systems.iter().filter(|run| run.0 == count.effect).map(|run| run.1).sum(),
         without: without(count.effect),
     });
     Ok(Ablation {
@@ -108,6 +113,9 @@ pub fn ablate<T: Real>(
         effects: effects.collect(),
     })
 }
+
+/// Runs of systems for every effect.
+type EffectRuns = [(Effect, u64); Effect::ALL.len()];
 
 /// The frame with some setting, again and again.
 struct Series {

@@ -1,6 +1,6 @@
 //! What surrounds all objects.
 
-use crate::effects::{Effect, Gradient, Haze, Rgb};
+use crate::effects::{Effect, EffectSet, Gradient, Haze, Rgb};
 use crate::geometry::{Real, Vector};
 
 use super::kernel::known;
@@ -18,6 +18,12 @@ impl<T: Real> Air<T> {
     /// Whether there is neither.
     pub fn is_empty(&self) -> bool {
         self.background.is_none() && self.haze.is_none()
+    }
+
+    /// The effects that are there.
+    pub fn effects(&self) -> EffectSet {
+        let present = [(Effect::Background, self.background.is_some()), (Effect::Fog, self.haze.is_some())];
+        EffectSet::present(&present)
     }
 
     /// The light that arrives from a unit direction in which there is no surface, as far as code for these effects knows.

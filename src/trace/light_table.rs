@@ -1,6 +1,6 @@
 //! Lights.
 
-use crate::effects::{Ball, Cone, Rgb};
+use crate::effects::{Ball, Cone, Effect, EffectSet, Rgb};
 use crate::geometry::{Real, Vector};
 
 use super::EffectColumn;
@@ -48,6 +48,17 @@ impl<T: Real> LightTable<T> {
         self.color.push(light.color);
         self.toward.push(light.toward);
         self.ball.push(light.ball);
+    }
+
+    /// The effects that some light has.
+    pub fn effects(&self) -> EffectSet {
+        EffectSet::present(&[
+            (Effect::Falloff, !self.falloff.is_empty()),
+            (Effect::SpotCone, !self.cone.is_empty()),
+            (Effect::LightColor, !self.color.is_empty()),
+            (Effect::Directional, !self.toward.is_empty()),
+            (Effect::AreaLight, !self.ball.is_empty()),
+        ])
     }
 
     /// Number of lights.

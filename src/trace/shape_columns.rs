@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::components::Texture;
-use crate::effects::MipChain;
+use crate::effects::{Effect, EffectSet, MipChain};
 use crate::geometry::{Convex, CubeShape, PlaneShape, PyramidShape, Real, SphereShape, Vector};
 
 use super::{EffectColumn, Kind};
@@ -23,6 +23,10 @@ pub trait ShapeColumns<T: Real>: Default {
     }
     /// The shape of a row below [`len`](Self::len).
     fn shape(&self, row: usize) -> Self::Shape;
+    /// The effects that some row has, other than of its surface.
+    fn effects(&self) -> EffectSet {
+        EffectSet::NONE
+    }
     /// Gives back memory that no row takes.
     fn shrink_to_fit(&mut self);
 }
@@ -273,6 +277,14 @@ impl<T: Real> ShapeColumns<T> for BoardColumns<T> {
     #[inline(always)]
     fn shape(&self, row: usize) -> PlaneShape<T> {
         PlaneShape { height: self.origin.get(row).z }
+    }
+
+    fn effects(&self) -> EffectSet {
+        EffectSet::present(&[
+            (Effect::Texture, !self.textures.is_empty()),
+            (Effect::TextureFilter, !self.texture_filters.is_empty()),
+            (Effect::CheckerFilter, !self.checker_filters.is_empty()),
+        ])
     }
 
     fn shrink_to_fit(&mut self) {

@@ -1,6 +1,6 @@
 //! Surfaces.
 
-use crate::effects::{Effect, Rgb};
+use crate::effects::{Effect, EffectSet, Rgb};
 use crate::geometry::Real;
 
 use super::EffectColumn;
@@ -94,6 +94,16 @@ impl<T: Real> SurfaceTable<T> {
             && self.mirror.replace(row, surface.mirror)
             && self.glass.replace(row, surface.glass)
             && self.absorption.replace(row, surface.absorption)
+    }
+
+    /// The effects that some surface has.
+    pub fn effects(&self) -> EffectSet {
+        EffectSet::present(&[
+            (Effect::Gloss, !self.gloss.is_empty()),
+            (Effect::Mirror, !self.mirror.is_empty()),
+            (Effect::Glass, !self.glass.is_empty()),
+            (Effect::Absorption, !self.absorption.is_empty()),
+        ])
     }
 
     /// Gives back memory that no row takes.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::effects::EffectSet;
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape};
 
 use super::tree::{Fork, SMALLEST_TREE, Tree};
@@ -86,6 +87,11 @@ pub struct ShapeTable<T: Real, C> {
 }
 
 impl<T: Real, C: ShapeColumns<T>> ShapeTable<T, C> {
+    /// The effects that some object has.
+    pub fn effects(&self) -> EffectSet {
+        self.shapes.effects().union(self.surfaces.effects())
+    }
+
     /// Gives back memory that no row takes.
     pub fn shrink_to_fit(&mut self) {
         self.shapes.shrink_to_fit();

@@ -53,6 +53,7 @@ fn what_is_present_is_said_with_who_asked_and_what_it_adds() {
         assert_eq!((&row["present"], &row["entities"]), (&true.into(), &entities.into()), "{effect}");
         assert_eq!(row["rows"], entities, "{effect}");
         assert!(row["bytes"].as_u64() > Some(0), "{effect}");
+        assert!(row["systems"].as_u64() > Some(0), "{effect}");
         assert!(row["without"]["rmse"].as_f64() > Some(0.0), "{effect}: {row}");
         assert_eq!(row["carriers"].as_array().unwrap().len(), entities, "{effect}");
         let without = rays(&folder, &format!("--without {effect}"));
@@ -69,7 +70,7 @@ fn what_is_absent_has_nothing_anywhere() {
     folder.put("scene.txt", PLAIN);
     for row in report(&folder, "") {
         assert_eq!(row["present"], false, "{row}");
-        for count in ["entities", "rays", "rows", "bytes"] {
+        for count in ["entities", "rays", "rows", "bytes", "systems"] {
             assert_eq!(row[count], 0, "{count}: {row}");
         }
         for tried in ["milliseconds", "instructions", "without"] {
@@ -87,7 +88,7 @@ fn in_words_absent_effects_come_with_their_counts() {
     for effect in Effect::ALL {
         let name = effect.name().replace('_', " ");
         let line = text.lines().find(|line| line.trim_start().starts_with(&name)).unwrap();
-        assert_eq!(line.split_whitespace().filter(|word| *word == "0").count(), 4, "{line}");
+        assert_eq!(line.split_whitespace().filter(|word| *word == "0").count(), 5, "{line}");
     }
 }
 

@@ -2,10 +2,10 @@
 
 use archetrace::components::{
     Absorption, AreaLight, Background, CameraPose, Cube, Directional, Fog, Glass, Gloss, Light, LightColor,
-    Mirror, Position, Sphere,
+    Mirror, Position, Shutter, Sphere, Velocity,
 };
 use archetrace::effects::{Effect, EffectSet};
-use archetrace::systems::{Muted, Survey, Tables, frame_schedule, prepare, take_away};
+use archetrace::systems::{Muted, Survey, Tables, extract_schedule, frame_schedule, prepare, take_away};
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
@@ -206,4 +206,29 @@ fn a_camera_can_carry_the_air() {
     world.entity_mut(camera).remove::<Background>();
     world.entity_mut(camera).insert(Gloss { specular: 1.0, shininess: 1.0 });
     assert_same("gloss of nothing", &plain, &trace::<f64>(&mut world).picture);
+}
+
+#[test]
+fn systems_run_for_the_effects_that_are_there_and_for_no_other() {
+    let mut world = rich_world();
+    prepare::<f64>(&mut world, workers(1));
+    let mut schedule = extract_schedule::<f64>();
+    let runs = |world: &World| Effect::ALL.map(|effect| world.resource::<Tables<f64>>().systems_run(effect));
+    schedule.run(&mut world);
+    let asked = world.resource::<Tables<f64>>().effects();
+    let first = runs(&world);
+    for (effect, runs) in Effect::ALL.into_iter().zip(first) {
+        assert_eq!(runs > 0, asked.contains(effect), "{effect:?} {runs}");
+    }
+    schedule.run(&mut world);
+    assert_eq!(runs(&world), first, "nothing changed");
+
+    let camera = world.query_filtered::<Entity, With<CameraPose>>().single(&world).unwrap();
+    let ball = world.query_filtered::<Entity, With<Sphere>>().iter(&world).next().unwrap();
+    world.entity_mut(camera).insert(Shutter { open: 0.0, close: 1.0 });
+    schedule.run(&mut world);
+    assert_eq!(runs(&world), first, "a shutter alone moves nothing");
+    world.entity_mut(ball).insert(Velocity(DVec3::X));
+    schedule.run(&mut world);
+    assert_eq!(world.resource::<Tables<f64>>().systems_run(Effect::MotionBlur), 1);
 }
