@@ -43,7 +43,7 @@ impl<T: Real> CubeShape<T> {
     #[inline(always)]
     fn plane(&self, face: u8) -> (usize, T) {
         let axis = usize::from(face / 2);
-        (axis, if face % 2 == 0 { self.min[axis] } else { self.max[axis] })
+        (axis, if face.is_multiple_of(2) { self.min[axis] } else { self.max[axis] })
     }
 }
 
