@@ -77,7 +77,7 @@ impl<T: Real> PyramidShape<T> {
         let [a, b, c, d] = slopes;
         let rise = self.half_width * ray.direction.z;
         let little = rise * rise * T::CLOSE;
-        ((a * b).abs() <= little) | ((c * d).abs() <= little)
+        ((a * b).abs() < little) | ((c * d).abs() < little)
     }
 
     /// [`Convex::intersect`] where rounding cannot tell: no line passes between two pyramids that touch.

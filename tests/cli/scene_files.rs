@@ -10,10 +10,10 @@ fn commands(scene: &str) -> [String; 3] {
     [format!("check {scene}"), format!("write {scene} -o out.txt"), format!("render {scene} -o out.bmp")]
 }
 
-/// Runs the program with so many kilobytes of address space and ten seconds of processor time: whatever else the machine
+/// Runs the program with so many kilobytes of address space and a minute of processor time: whatever else the machine
 /// does, no more is taken.
 fn bounded(folder: &Folder, kilobytes: u32, arguments: &str) -> Run {
-    folder.bash(&format!("ulimit -v {kilobytes}; ulimit -t 10; exec $P {arguments}"))
+    folder.bash(&format!("ulimit -v {kilobytes}; ulimit -t 60; exec $P {arguments}"))
 }
 
 /// Runs every command on a scene that is no file; each must say so in one line that ends like this.

@@ -20,7 +20,7 @@ pub struct Meeting<T> {
     pub face: u32,
     /// Whether the ray comes from within the body.
     pub inside: bool,
-    /// Whether rounding cannot tell if the ray meets anything: [`Convex::intersect`] can. `t` is NaN then.
+    /// Whether only [`Convex::intersect`] can tell if the ray meets anything; `t` is NaN then.
     pub unsure: bool,
 }
 

@@ -15,19 +15,6 @@ impl<T: Real> PyramidShape<T> {
         span.outside |= !enters & !leaves & (room < T::ZERO);
     }
 
-    /// How far from the plane of a side face looking along x (or y) rounding may have put the ray's origin.
-    #[inline(always)]
-    fn side_rounding(&self, ray: &Ray<T>, along_x: bool) -> T {
-        let sideways = if along_x {
-            self.apex.x.abs() + ray.origin.x.abs()
-        } else {
-            self.apex.y.abs() + ray.origin.y.abs()
-        };
-        let upwards = self.apex.z.abs() + ray.origin.z.abs();
-        let four = T::TWO * T::TWO;
-        four * T::ULP * (self.height * sideways + self.half_width * upwards)
-    }
-
     /// The normal of a face; `face` 0 to 3 by the axis and direction it looks in.
     #[inline(always)]
     fn straight_normal(&self, face: u32) -> Vector<T> {
@@ -63,14 +50,11 @@ impl<T: Real> Straight<T> for PyramidShape<T> {
         Self::cut(&mut span, room_3, slope_3, 3);
         Self::cut(&mut span, ray.origin.z - self.base, -ray.direction.z, u32::from(BASE));
         let meeting = span.first_ahead();
-        let low_room = if meeting.face == 0 { room_0 } else { room_1 };
-        let high_room = if meeting.face == 2 { room_2 } else { room_3 };
-        let along_x = meeting.face < 2;
-        let room = if along_x { low_room } else { high_room };
-        let is_side = meeting.face < u32::from(BASE);
-        let leaves = meeting.inside & is_side & (room <= self.side_rounding(ray, along_x));
-        let unsure = meeting.unsure | self.is_along_side(ray, [slope_0, slope_1, slope_2, slope_3]);
-        Meeting { t: if leaves | unsure { T::NAN } else { meeting.t }, unsure, ..meeting }
+        // Few rays start within, and of those the kernel with branches tells whether they leave from a face.
+        let starts_within = meeting.inside & (meeting.t > T::ZERO);
+        let is_along_side = self.is_along_side(ray, [slope_0, slope_1, slope_2, slope_3]);
+        let unsure = meeting.unsure | starts_within | is_along_side;
+        Meeting { t: if unsure { T::NAN } else { meeting.t }, unsure, ..meeting }
     }
 
     #[inline(always)]
