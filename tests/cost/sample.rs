@@ -137,7 +137,7 @@ fn row((setting, knob, flags, side, level, precision, filter, milliseconds, deci
         shadow: primary * 2,
         mirror: primary,
         refracted: 0,
-        instructions: None,
+        instructions: (side == 1).then_some(7010.0),
         rmse: rmse(decibels),
         psnr_db: decibels,
         at_floor: decibels >= FLOOR,
@@ -182,19 +182,19 @@ fn effect(effect: &'static str, median: f64, rays: i64) -> EffectRow {
     EffectRow { effect, present, milliseconds, rays, rows, bytes, rmse }
 }
 
-/// Two settings and the reference, with pictures that are easy to tell apart.
+/// The truth and two settings, with pictures that are easy to tell apart.
 pub(crate) fn sample_pictures() -> Vec<PagePicture> {
     let reference = disk(24.0);
-    ["assignment", "samples 64", "reference"]
+    ["truth", "assignment", "samples 64"]
         .into_iter()
-        .zip([disk(20.0), disk(23.5), reference.clone()])
+        .zip([reference.clone(), disk(20.0), disk(23.5)])
         .map(|(setting, film)| {
             let errors = error_map(&film, &reference).unwrap();
             let rays: Vec<f64> = film.pixels().iter().map(|pixel| 1.0 + 7.0 * pixel[0]).collect();
             PagePicture {
                 setting: setting.to_owned(),
                 picture: encode(&film, "x.png".as_ref()).unwrap(),
-                error: (setting != "reference").then(|| png(error_colors(&errors))),
+                error: (setting != "truth").then(|| png(error_colors(&errors))),
                 rays: Some(HeatMap { png: png(false_colors(&rays, 8.0)), most: 8.0 }),
             }
         })
@@ -227,5 +227,5 @@ pub(crate) fn entries() -> Vec<PictureEntry> {
         error: error.map(str::to_owned),
         rays: None,
     };
-    vec![entry("reference", None), entry("assignment", Some("assignment-error.png"))]
+    vec![entry("truth", None), entry("assignment", Some("assignment-error.png"))]
 }

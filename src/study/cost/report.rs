@@ -204,11 +204,11 @@ pub struct EffectRow {
 /// A picture, its error and its rays.
 #[derive(Clone, Debug, Serialize)]
 pub struct PictureEntry {
-    /// Name of the setting, or `reference`.
+    /// Name of the setting, or `truth`.
     pub setting: String,
     /// The picture's file beside the report.
     pub picture: String,
-    /// The file with the error of each pixel in false colours; nothing for the reference.
+    /// The file with the error of each pixel in false colours; nothing for the truth.
     pub error: Option<String>,
     /// The file with the rays of each pixel in false colours.
     pub rays: Option<String>,
