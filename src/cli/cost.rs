@@ -13,9 +13,9 @@ use crate::components::{Precision, Snapshot};
 use crate::film::Film;
 use crate::image_file::encode_rgb8;
 use crate::study::{
-    CostReport, EffectRow, HeatMap, Lab, Machine, PagePicture, PictureEntry, Preset, Setting, Sweep,
-    SweepPlan, Watch, ablate, cost_csv, cost_json, cost_page, draw_front, error_colors, error_map,
-    false_colors, front_of_rows, knob_steps, next_6_db, price_of_care, sweep,
+    CostReport, CostRow, EffectRow, HeatMap, Lab, Machine, PagePicture, PictureEntry, Preset, Setting, Sweep,
+    SweepPlan, Watch, ablate, adaptive_gains, cost_csv, cost_json, cost_page, draw_front, error_colors,
+    error_map, false_colors, front_of_rows, knob_steps, next_6_db, price_of_care, sweep,
 };
 use crate::systems::{FrameError, Monitor, Workers, prepare};
 use crate::whole_file::{WriteError, check_folder, write_whole};
@@ -119,6 +119,7 @@ fn report(args: &CostArgs, found: &Sweep, scene: Setting, workers: &Workers, byt
         rows: found.rows.clone(),
         next_6_db: next_6_db(&found.rows, &front),
         steps: knob_steps(&found.rows, &found.changes_model),
+        adaptive: adaptive_gains(&found.rows),
         front,
         care: Vec::new(),
         effects: Vec::new(),
@@ -140,15 +141,15 @@ fn pictures(
     folder: &Path,
 ) -> Result<Vec<PagePicture>, CliError> {
     let mut shown = Vec::new();
-    let reference = encode_rgb8(found.truth.side(), found.truth.to_rgb8(), Path::new("reference.png"))?;
-    write_whole(&folder.join("reference.png"), &reference)?;
+    let truth = encode_rgb8(found.truth.side(), found.truth.to_rgb8(), Path::new("truth.png"))?;
+    write_whole(&folder.join("truth.png"), &truth)?;
     report.pictures.push(PictureEntry {
-        setting: "reference".to_owned(),
-        picture: "reference.png".to_owned(),
+        setting: "truth".to_owned(),
+        picture: "truth.png".to_owned(),
         error: None,
         rays: None,
     });
-    shown.push(PagePicture { setting: "reference".to_owned(), picture: reference, error: None, rays: None });
+    shown.push(PagePicture { setting: "truth".to_owned(), picture: truth, error: None, rays: None });
     let is_preset = |number: &usize| found.rows[*number].knob == "preset";
     let presets = (0..found.rows.len()).filter(is_preset);
     let on_front = report.front.iter().copied().filter(|number| !is_preset(number)).take(SHOWN);
@@ -246,8 +247,8 @@ fn count_instructions(
         if watch.is_cancelled() {
             return Ok(());
         }
-        // Far fewer than 2^53.
-        row.instructions = Some(counter.per_pixel(setting, None)? as f64);
+        let counted = counter.per_pixel(setting, None)?;
+        row.instructions = Some(f64::from(u32::try_from(counted).unwrap_or(u32::MAX)));
     }
     Ok(())
 }
@@ -259,7 +260,38 @@ fn write_report(report: &CostReport, pictures: &[PagePicture], folder: &Path) ->
     write("cost.csv", &cost_csv(report)?)?;
     write("cost.json", &cost_json(report)?)?;
     write("cost.svg", &draw_front(report))?;
+    write("cost.md", &markdown(report))?;
     Ok(write("cost.html", &cost_page(report, pictures))?)
+}
+
+/// The presets and the front as a table for a README.
+fn markdown(report: &CostReport) -> String {
+    let mut text =
+        "| setting | ms | quartiles apart | rays a pixel | instructions a pixel | dB | worst level | \
+                    off by more than 1 level |\n|---|---|---|---|---|---|---|---|\n"
+            .to_owned();
+    let is_shown = |(number, row): &(usize, &CostRow)| row.knob == "preset" || report.front.contains(number);
+    for (_, row) in report.rows.iter().enumerate().filter(is_shown) {
+        let instructions = row.instructions.map(|count| format!("{count:.0}")).unwrap_or_default();
+        let at_least = if row.at_floor { "at least " } else { "" };
+        text.push_str(&format!(
+            "| {} | {:.1} | {:.1} | {:.2} | {instructions} | {at_least}{:.1} | {} | {:.1} % |\n",
+            row.setting,
+            row.milliseconds.median,
+            row.milliseconds.iqr,
+            rays_a_pixel(report, row),
+            row.psnr_db,
+            row.worst_level,
+            100.0 * row.over1
+        ));
+    }
+    text
+}
+
+/// Far fewer than 2^53.
+#[expect(clippy::cast_precision_loss, reason = "two digits are shown")]
+fn rays_a_pixel(report: &CostReport, row: &CostRow) -> f64 {
+    row.rays as f64 / f64::from(report.pixels).powi(2)
 }
 
 /// The front in a few lines.
@@ -275,14 +307,20 @@ fn summary(report: &CostReport, folder: &Path) -> String {
         "dB",
         "rays a pixel"
     );
-    let pixels = f64::from(report.pixels).powi(2);
-    let mut line = |row: &crate::study::CostRow| {
-        let rays = row.rays as f64 / pixels;
+    let mut line = |row: &CostRow| {
+        let rays = rays_a_pixel(report, row);
         let (ms, db) = (row.milliseconds.median, row.psnr_db);
         text.push_str(&format!("{ms:>10.2} {db:>8.1} {rays:>12.2}  {}\n", row.setting));
     };
     report.rows.first().map(&mut line);
     report.front.iter().filter(|&&number| number > 0).for_each(|&number| line(&report.rows[number]));
+    let gains = report.adaptive.iter().filter_map(|adaptive| Some((adaptive.gain?, &adaptive.setting)));
+    if let Some((gain, setting)) = gains.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        let verdict = if gain > 1.0 { "" } else { ": it does not pay here" };
+        text.push_str(&format!(
+            "\nuniform samples take {gain:.2} times the rays of {setting} for the same error{verdict}\n"
+        ));
+    }
     if report.interrupted {
         say("warning: interrupted; what was not measured is missing");
     }

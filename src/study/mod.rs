@@ -23,9 +23,9 @@ pub use bars::draw_bars;
 pub use care::price_of_care;
 pub use chooser::{Choice, Chooser, FrontPoint, Wish, choose};
 pub use cost::{
-    CareRow, CostReport, CostRow, EffectRow, HeatMap, KnobStep, Machine, NextSixDb, PagePicture,
-    PictureEntry, Reference, Sweep, SweepPlan, Watch, cost_csv, cost_json, cost_page, draw_front,
-    front_of_rows, knob_steps, next_6_db, sweep,
+    AdaptiveGain, CareRow, CostReport, CostRow, EffectRow, HeatMap, KnobStep, Machine, NextSixDb,
+    PagePicture, PictureEntry, Reference, Sweep, SweepPlan, Watch, adaptive_gains, cost_csv, cost_json,
+    cost_page, draw_front, front_of_rows, knob_steps, next_6_db, sweep,
 };
 pub use difference::Difference;
 pub use heat::{ERROR_LEVELS, error_colors, error_map, error_share, false_color, false_colors};

@@ -9,8 +9,10 @@
     reason = "a test that cannot go on should say so and stop"
 )]
 
+mod accuracy;
 mod arguments;
 mod check;
+mod cost;
 mod effects;
 mod interrupt;
 #[path = "../scenes/mutant.rs"]

@@ -52,6 +52,13 @@ impl Run {
         self.stdout
     }
 
+    /// It worked, whatever it said.
+    #[track_caller]
+    pub(crate) fn succeeded(self) -> Self {
+        assert_eq!(self.code, Some(0), "{self:?}");
+        self
+    }
+
     /// It failed with status 1 and one line; the line.
     #[track_caller]
     pub(crate) fn refusal(self) -> String {

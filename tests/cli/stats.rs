@@ -23,6 +23,7 @@ fn every_key_is_there_with_its_type() {
         [
             "effects",
             "level",
+            "mean_samples",
             "non_finite",
             "phases_ms",
             "pixels",
@@ -30,11 +31,12 @@ fn every_key_is_there_with_its_type() {
             "rays",
             "rows",
             "samples",
+            "setting",
             "threads",
             "version"
         ]
     );
-    for phase in ["load", "extract", "build", "trace", "write"] {
+    for phase in ["load", "choose", "extract", "build", "trace", "write"] {
         let time = stats["phases_ms"][phase].as_f64();
         assert!(time.is_some_and(|time| (0.0..20_000.0).contains(&time)), "{phase}: {stats}");
     }
@@ -48,6 +50,7 @@ fn every_key_is_there_with_its_type() {
     assert_eq!(stats["precision"], "f64");
     assert_eq!(stats["pixels"], 32 * 32);
     assert_eq!(stats["samples"], 1);
+    assert_eq!(stats["mean_samples"], 1.0);
     assert_eq!(stats["level"], 3);
     assert_eq!(stats["non_finite"], 0);
 }

@@ -11,4 +11,5 @@ mod browser;
 mod page;
 mod sample;
 mod similarity;
+mod sweep;
 mod tables;

@@ -10,6 +10,7 @@
     reason = "a test fails by panicking, says its figures, and counts pixels in floating point"
 )]
 
+mod adaptive;
 mod agreement;
 mod closed_forms;
 mod crowds;

@@ -1,6 +1,6 @@
 //! What the rows of a study say: the front, the next 6 dB, the knobs one step up and down.
 
-use super::report::{CostRow, KnobStep, NextSixDb};
+use super::report::{AdaptiveGain, CostRow, KnobStep, NextSixDb};
 
 /// Numbers of the rows that no other row beats in both time and error, the fastest first. Equal errors (at the floor, say)
 /// are won by the faster.
@@ -71,6 +71,29 @@ pub fn knob_steps(rows: &[CostRow], changes_model: &[bool]) -> Vec<KnobStep> {
         }
     }
     steps
+}
+
+/// What adaptive sampling saves: for each adaptive row the rays of uniform sampling at the same error, along a straight line
+/// between its two neighbours there in logarithms of rays and error.
+pub fn adaptive_gains(rows: &[CostRow]) -> Vec<AdaptiveGain> {
+    let mut uniform: Vec<&CostRow> = rows.iter().take(1).collect();
+    uniform.extend(rows.iter().filter(|row| row.knob == "samples"));
+    uniform.retain(|row| !row.at_floor);
+    uniform.sort_by_key(|row| row.rays);
+    let adaptive = rows.iter().filter(|row| row.knob == "adaptive");
+    let gain = |row: &CostRow| {
+        let pair = uniform.windows(2).find(|pair| pair[1].rmse <= row.rmse && row.rmse <= pair[0].rmse)?;
+        let [more, fewer] = [pair[0].rmse.ln(), pair[1].rmse.ln()];
+        let share = if more > fewer { (more - row.rmse.ln()) / (more - fewer) } else { 0.0 };
+        let [few, many] = [log_rays(pair[0]), log_rays(pair[1])];
+        Some((few + share * (many - few) - log_rays(row)).exp())
+    };
+    adaptive.map(|row| AdaptiveGain { setting: row.setting.clone(), gain: gain(row) }).collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a ratio needs no more")]
+fn log_rays(row: &CostRow) -> f64 {
+    (row.rays.max(1) as f64).ln()
 }
 
 /// Far fewer than 2^63.

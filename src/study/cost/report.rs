@@ -41,6 +41,8 @@ pub struct CostReport {
     pub next_6_db: Vec<NextSixDb>,
     /// Each knob one step up and down from `assignment`.
     pub steps: Vec<KnobStep>,
+    /// What adaptive sampling saves, one for each of its rows.
+    pub adaptive: Vec<AdaptiveGain>,
     /// What numerical care costs and buys.
     pub care: Vec<CareRow>,
     /// What the effects of the scene cost.
@@ -129,6 +131,16 @@ pub struct CostRow {
     pub alone_rmse: Option<f64>,
 }
 
+/// Adaptive samples against as many everywhere.
+#[derive(Clone, Debug, Serialize)]
+pub struct AdaptiveGain {
+    /// The adaptive setting.
+    pub setting: String,
+    /// Rays that uniform sampling needs for the same error, interpolated between its rows, by those of this one: above 1
+    /// where it pays. Nothing where no uniform row is as good.
+    pub gain: Option<f64>,
+}
+
 /// One step along the front.
 #[derive(Clone, Debug, Serialize)]
 pub struct NextSixDb {
@@ -204,7 +216,7 @@ pub struct EffectRow {
 /// A picture, its error and its rays.
 #[derive(Clone, Debug, Serialize)]
 pub struct PictureEntry {
-    /// Name of the setting, or `truth`.
+    /// Name of the setting, or `truth` for what the others are compared with.
     pub setting: String,
     /// The picture's file beside the report.
     pub picture: String,
