@@ -196,6 +196,7 @@ const ROOMS: &[Room] = &[
             "image_file",
             "preview",
             "scene",
+            "study",
             "systems",
             "trace",
             "whole_file",

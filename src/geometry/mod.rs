@@ -13,6 +13,7 @@ mod bounded;
 mod clip;
 mod compensated;
 mod cube;
+mod expansion;
 mod exponential;
 mod eye;
 mod plane;

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::clip::Span;
+use super::clip::{ExactCut, Span, first_ahead_exactly, is_single};
+use super::expansion::Expansion;
 use super::{Convex, Crossing, Ray, Real, Side, SurfacePoint, Vector};
 
 /// A closed pyramid on a square base parallel to the xy plane, apex above its middle.
@@ -46,6 +47,17 @@ impl<T: Real> PyramidShape<T> {
         (room, slope)
     }
 
+    /// What the half-spaces leave of a ray's line; `None` where it is parallel to one and outside.
+    #[inline(always)]
+    fn clip(&self, ray: &Ray<T>, sides: [(T, T); 4]) -> Option<Span<T>> {
+        let mut span = Span::whole();
+        for (face, (room, slope)) in (0..BASE).zip(sides) {
+            span.cut(room, slope, face)?;
+        }
+        span.cut(ray.origin.z - self.base, -ray.direction.z, BASE)?;
+        Some(span)
+    }
+
     /// Whether the origin of a ray is in the plane of a side face as nearly as rounding allows: that of the point
     /// itself, a few units in the last place of each coordinate, and that of its offset from the apex.
     #[cold]
@@ -58,6 +70,34 @@ impl<T: Real> PyramidShape<T> {
         room <= four * T::ULP * (self.height * sideways + self.half_width * upwards)
     }
 
+    /// Whether a ray runs along a side face so nearly that rounding may have changed which way it crosses the face; from
+    /// its slopes against the four.
+    #[inline(always)]
+    pub(super) fn is_along_side(&self, ray: &Ray<T>, slopes: [T; 4]) -> bool {
+        let [a, b, c, d] = slopes;
+        let rise = self.half_width * ray.direction.z;
+        let little = rise * rise * T::CLOSE;
+        ((a * b).abs() <= little) | ((c * d).abs() <= little)
+    }
+
+    /// [`Convex::intersect`] where rounding cannot tell: no line passes between two pyramids that touch.
+    #[cold]
+    #[inline(never)]
+    fn intersect_exactly(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
+        let [base, half_width, height] = [self.base, self.half_width, self.height].map(T::to_f64);
+        let (pyramid, double) =
+            (PyramidShape { apex: self.apex.in_double(), base, half_width, height }, ray.in_double());
+        let decided = if is_single::<T>() {
+            pyramid.intersect(&double)
+        } else {
+            first_ahead_exactly(&pyramid.exact_cuts(&double))
+        };
+        let Crossing { t, face, side } = decided?;
+        // The base by the usual quotient, which is that of a plane at the same height.
+        let t = if face == BASE { (ray.origin.z - self.base) / -ray.direction.z } else { T::from_f64(t) };
+        (t > T::ZERO && t.is_finite()).then_some(Crossing { t, face, side })
+    }
+
     #[inline(always)]
     fn normal(&self, face: u8) -> Vector<T> {
         let Some(&(axis, positive)) = SIDES.get(usize::from(face)) else {
@@ -68,17 +108,32 @@ impl<T: Real> PyramidShape<T> {
     }
 }
 
+impl PyramidShape<f64> {
+    /// The half-spaces of all faces, as a ray sees them.
+    fn exact_cuts(&self, ray: &Ray<f64>) -> [ExactCut; 5] {
+        let exact = |v: Vector<f64>| [v.x, v.y, v.z].map(Expansion::of);
+        let [height, half_width, base] = [self.height, self.half_width, self.base].map(Expansion::of);
+        let [origin, direction, apex] = [ray.origin, ray.direction, self.apex].map(exact);
+        let to_apex: [Expansion; 3] = core::array::from_fn(|axis| &apex[axis] - &origin[axis]);
+        let [a, b, c, d] = SIDES.map(|(axis, positive)| {
+            let out = if positive { height.clone() } else { -&height };
+            let across = |v: &[Expansion; 3]| &(&out * &v[axis]) + &(&half_width * &v[2]);
+            ExactCut { room: across(&to_apex), slope: across(&direction) }
+        });
+        [a, b, c, d, ExactCut { room: &origin[2] - &base, slope: -&direction[2] }]
+    }
+}
+
 impl<T: Real> Convex<T> for PyramidShape<T> {
     #[inline(always)]
     fn intersect(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
-        let mut span = Span::whole();
         let to_apex = self.apex - ray.origin;
-        for (face, side) in (0..BASE).zip(SIDES) {
-            let (room, slope) = self.side(ray, to_apex, side);
-            span.cut(room, slope, face)?;
-        }
-        span.cut(ray.origin.z - self.base, -ray.direction.z, BASE)?;
-        let crossing = span.first_ahead()?;
+        let sides = SIDES.map(|side| self.side(ray, to_apex, side));
+        let crossing = match self.clip(ray, sides) {
+            _ if self.is_along_side(ray, sides.map(|(_, slope)| slope)) => self.intersect_exactly(ray),
+            Some(span) if span.is_close() => self.intersect_exactly(ray),
+            span => span?.first_ahead(),
+        }?;
         // A ray that leaves from a point on a face does not meet it, whichever way the point was rounded: it may have
         // been found on a face of another pyramid in the same plane.
         let leaves = crossing.side == Side::Inside && self.is_on_side(ray, to_apex, crossing.face);

@@ -17,6 +17,11 @@ impl<T: Real> Ray<T> {
     pub fn at(&self, t: T) -> Vector<T> {
         self.origin + self.direction * t
     }
+
+    /// The same ray in double precision.
+    pub(super) fn in_double(&self) -> Ray<f64> {
+        Ray { origin: self.origin.in_double(), direction: self.direction.in_double() }
+    }
 }
 
 /// From which side of a boundary a ray arrives.

@@ -44,6 +44,8 @@ pub trait Real:
     const MAX: Self;
     /// Unit in the last place of 1: the gap to the next number.
     const ULP: Self;
+    /// A share of which the square is still some [`ULP`](Self::ULP): what is closer is worth a second look.
+    const CLOSE: Self;
     /// Sums of squares above this have lost nothing to underflow.
     const SQUARE_FLOOR: Self;
     /// `2^ceil(p/2) + 1` for a significand of `p` bits: splits a number into two halves (Dekker 1971).
@@ -106,7 +108,7 @@ pub trait ByPrecision {
 }
 
 macro_rules! real {
-    ($float:ident, $splitter:expr, $limit:expr, $from:expr, $from_u32:expr, $work:ident) => {
+    ($float:ident, $splitter:expr, $close:expr, $limit:expr, $from:expr, $from_u32:expr, $work:ident) => {
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -116,6 +118,7 @@ macro_rules! real {
             const NAN: Self = $float::NAN;
             const MAX: Self = $float::MAX;
             const ULP: Self = $float::EPSILON;
+            const CLOSE: Self = $close;
             const SQUARE_FLOOR: Self = $float::MIN_POSITIVE / $float::EPSILON;
             const SPLITTER: Self = $splitter;
             const LENGTH_LIMIT: f64 = $limit;
@@ -181,5 +184,5 @@ fn f32_from_u32(value: u32) -> f32 {
     value as f32
 }
 
-real!(f64, 134_217_729.0, 1e70, core::convert::identity, f64::from, double);
-real!(f32, 4097.0, 1e9, round_to_f32, f32_from_u32, single);
+real!(f64, 134_217_729.0, f64::EPSILON * 4_294_967_296.0, 1e70, core::convert::identity, f64::from, double);
+real!(f32, 4097.0, f32::EPSILON * 8192.0, 1e9, round_to_f32, f32_from_u32, single);

@@ -31,11 +31,13 @@ impl<T: Real> Chord<T> {
     /// The square of `a` times half the chord's length in steps of `t`, for a line that hits; `c` is `|offset|^2 - r^2`.
     ///
     /// From afar `h^2` and `a c` nearly cancel and the perpendicular form is right; near the surface, or from inside,
-    /// they do not, and the error of `h` is all that counts.
+    /// they do not, and the error of `h` is all that counts. The two are about equally good where the way to the
+    /// middle, squared, is a third of `|offset|^2`.
     #[inline(always)]
-    pub(super) fn discriminant(&self, c: T) -> T {
-        let (h_squared, ac) = (self.h * self.h, self.a * c);
-        if ac + ac < h_squared { h_squared - ac } else { self.a * self.half_squared }
+    pub(super) fn discriminant(&self, c: T, radius: T) -> T {
+        let h_squared = self.h * self.h;
+        let is_near = T::from_u32(3) * h_squared < self.a * (c + radius * radius);
+        if is_near { h_squared - self.a * c } else { self.a * self.half_squared }
     }
 }
 
@@ -56,8 +58,9 @@ impl<T: Real> SphereShape<T> {
         let a = direction.dot(direction);
         let h = -(offset.dot(direction) + offset_error.dot(direction));
         // The middle is the part of the offset perpendicular to the ray. What rounding leaves along the ray adds to
-        // the square of its length only in second order; projecting once more was measured to improve nothing.
-        let middle = offset + direction * (h / a);
+        // the square of its length only in second order; projecting once more was measured to improve nothing. What
+        // rounding took from the offset is added last, when the rest has become small.
+        let middle = (offset + direction * (h / a)) + offset_error;
         // r^2 - |m|^2 in factored form: the difference is formed before anything is squared (Haines, Ray Tracing
         // Gems, chapter 7, has the perpendicular form).
         let distance = middle.length();
@@ -85,7 +88,7 @@ impl<T: Real> Convex<T> for SphereShape<T> {
             return None;
         }
         // 3. q has the larger magnitude of the two numerators, so nothing cancels in it.
-        let q = chord.h + chord.discriminant(c).sqrt().copysign(chord.h);
+        let q = chord.h + chord.discriminant(c, self.radius).sqrt().copysign(chord.h);
         let (near, far) = if chord.h > T::ZERO { (c / q, q / chord.a) } else { (q / chord.a, c / q) };
         // 4. The first root ahead. A quotient 0/0 (tangent at the origin itself) compares false: no crossing.
         let (t, side) = if near > T::ZERO { (near, Side::Outside) } else { (far, Side::Inside) };

@@ -36,6 +36,11 @@ impl<T: Real> Vector<T> {
         DVec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
     }
 
+    /// The same vector in double precision.
+    pub(super) fn in_double(self) -> Vector<f64> {
+        Vector::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
+    }
+
     /// Scalar product.
     #[inline(always)]
     pub fn dot(self, other: Self) -> T {

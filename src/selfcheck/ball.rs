@@ -74,7 +74,8 @@ impl Truth {
     /// [`Chord::discriminant`](crate::geometry) for the two forms.
     fn bound(&self) -> f64 {
         let half = self.depth.max(0.0).sqrt();
-        let across = if 2.0 * self.depth > self.middle * self.middle { self.middle } else { 1.0 };
+        let is_near = 2.0 * self.middle * self.middle < 1.0 - self.depth;
+        let across = if is_near { self.middle } else { 1.0 };
         BOUND.max(1.5 * self.distance / (self.middle + half) * (1.0 + across / half))
     }
 }
@@ -169,7 +170,7 @@ pub fn check_spheres<T: Real>(
     for number in 0..rays {
         let (sphere, ray) = aim.draw::<T>(&mut Random::new(seed.wrapping_add(number)));
         let found = kernel(&sphere, &ray);
-        tally.wrong += u64::from(sphere.meet(&ray).crossing() != found);
+        tally.wrong += u64::from(sphere.meet_surely(&ray).crossing() != found);
         judge(&mut tally, &sphere, &ray, found);
     }
     tally

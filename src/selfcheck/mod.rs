@@ -1,8 +1,8 @@
 //! The kernels of this build, on this machine, against arithmetic of twice the digits.
 //!
 //! Rays are random, seeded, and aimed where tracers go wrong: at edges, corners and rims, at pebbles on the horizon and
-//! planets underfoot, from surface points into and out of bodies. Hits and misses may differ from the truth only where the
-//! rounding of the kernel's own few operations can explain it; ray parameters have bounds. The truth comes from other
+//! planets underfoot, from surface points into and out of bodies. Cubes and pyramids are to be hit and missed as the truth
+//! says, spheres may differ from it where a float cannot tell; ray parameters have bounds. The truth comes from other
 //! formulas ([`Double`]): it shares no step with the kernels but the error-free sums and products.
 
 mod ball;
@@ -21,6 +21,7 @@ pub use double::Double;
 pub use edges::{check_cubes, check_planes, check_pyramids};
 pub use leaving::check_leaving;
 pub use pictures::check_pictures;
+pub use random::Random;
 pub use tally::Tally;
 
 /// Seed of the first ray of the first group, unless another is given.

@@ -49,12 +49,6 @@ impl Approach {
         self.room >= Double::ZERO && self.room.nearest() <= 4.04 * epsilon * self.place_size
     }
 
-    /// How far rounding may move the plane for a ray on its way up to `t`, in epsilons: room takes three roundings of
-    /// half an epsilon, slope two, the quotient one.
-    fn blur(&self, t: f64) -> f64 {
-        1.5 * (self.room_size + t * self.slope_size)
-    }
-
     /// What an error of `t` is to be compared with: the parameters that the rounded products amount to.
     fn scale(&self, t: f64) -> f64 {
         (self.room_size + t * self.slope_size) / (2.0 * self.slope.nearest().abs())
@@ -119,17 +113,16 @@ struct End {
     face: usize,
 }
 
-/// Cuts a line by all half-spaces, each moved outwards by a multiple of its blur; `None` where nothing is left.
-fn chord(approaches: &[Approach], moved: impl Fn(&Approach) -> f64) -> Option<Chord> {
+/// Cuts a line by all half-spaces; `None` where nothing is left.
+fn chord(approaches: &[Approach]) -> Option<Chord> {
     let mut chord = Chord { enter: None, leave: None };
     for (face, approach) in approaches.iter().enumerate() {
-        let room = approach.room + Double::of(moved(approach));
-        let end = End { t: room / approach.slope, face };
+        let end = End { t: approach.room / approach.slope, face };
         if approach.slope < Double::ZERO {
             chord.enter = chord.enter.filter(|other| other.t >= end.t).or(Some(end));
         } else if approach.slope > Double::ZERO {
             chord.leave = chord.leave.filter(|other| other.t <= end.t).or(Some(end));
-        } else if room < Double::ZERO {
+        } else if approach.room < Double::ZERO {
             return None;
         }
     }
@@ -148,19 +141,15 @@ impl Chord {
 fn judge<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray<T>, found: Option<Crossing<T>>) {
     let approaches: Vec<Approach> = solid.faces().iter().map(|face| face.approach(ray)).collect();
     let epsilon = T::ULP.to_f64();
-    let truth = chord(&approaches, |_| 0.0).and_then(|chord| chord.first_ahead());
+    let truth = chord(&approaches).and_then(|chord| chord.first_ahead());
     tally.cases += 1;
     match (truth, found) {
         (None, None) => {}
         (Some((end, side)), None) => {
-            let shrunk = chord(&approaches, |face| -epsilon * face.blur(end.t.nearest()));
             let leaves = approaches.get(end.face).is_some_and(|face| face.starts_on(epsilon));
-            tally.leaks += u64::from(shrunk.is_some() && !(leaves && side == Side::Inside));
+            tally.leaks += u64::from(!(leaves && side == Side::Inside));
         }
-        (None, Some(found)) => {
-            let grown = chord(&approaches, |face| epsilon * face.blur(found.t.to_f64()));
-            tally.false_hits += u64::from(grown.is_none());
-        }
+        (None, Some(_)) => tally.false_hits += 1,
         (Some((end, side)), Some(found)) => {
             // Next to an edge the kernel may take the other face: it is as near as rounding can tell of both.
             let scale = |face: usize| approaches.get(face).map_or(0.0, |face| face.scale(end.t.nearest()));
@@ -174,7 +163,7 @@ fn judge<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray<T>, found:
 /// Checks the kernel with branches, the one without, and the surface point of both.
 pub(super) fn check<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray<T>) {
     let found = solid.intersect(ray);
-    tally.wrong += u64::from(solid.meet(ray).crossing() != found);
+    tally.wrong += u64::from(solid.meet_surely(ray).crossing() != found);
     if let Some(crossing) = found {
         let (point, other) = (solid.locate(ray, &crossing), solid.surface(ray, &crossing.into()));
         tally.wrong += u64::from(point != other);
@@ -185,7 +174,7 @@ pub(super) fn check<T: Real>(tally: &mut Tally, solid: &impl Solid<T>, ray: &Ray
 /// A plane is met on both sides: the half-space below it or the one above it is left ahead.
 pub(super) fn check_plane<T: Real>(tally: &mut Tally, plane: &PlaneShape<T>, ray: &Ray<T>) {
     let found = plane.intersect(ray);
-    tally.wrong += u64::from(plane.meet(ray).crossing() != found);
+    tally.wrong += u64::from(plane.meet_surely(ray).crossing() != found);
     tally.cases += 1;
     let approach = plane.faces()[0].approach(ray);
     let truth = approach.room / approach.slope;

@@ -15,9 +15,9 @@ pub struct Tally {
     pub errors: [u64; 5],
     /// The largest error in epsilons.
     pub worst: f64,
-    /// Surfaces that were missed although no rounding could excuse it.
+    /// Surfaces that were missed; of spheres, where no rounding could excuse it.
     pub leaks: u64,
-    /// Surfaces that were met although no rounding could excuse it.
+    /// Surfaces that were met where there are none; of spheres, where no rounding could excuse it.
     pub false_hits: u64,
     /// Answers that were wrong in another way: side, ray parameter, or not the same on every path.
     pub wrong: u64,

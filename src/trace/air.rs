@@ -20,19 +20,11 @@ impl<T: Real> Air<T> {
         self.background.is_none() && self.haze.is_none()
     }
 
-    /// What code for these effects knows of it.
+    /// The light that arrives from a unit direction in which there is no surface, as far as code for these effects knows.
     #[inline(always)]
-    pub(super) fn of_kernel<const EFFECTS: u32>(&self) -> Self {
-        Self {
-            background: known::<EFFECTS, _>(Effect::Background, self.background),
-            haze: known::<EFFECTS, _>(Effect::Fog, self.haze),
-        }
-    }
-
-    /// The light that arrives from a unit direction in which there is no surface.
-    #[inline(always)]
-    pub(super) fn beyond(&self, direction: Vector<T>) -> Rgb<T> {
-        match (&self.haze, &self.background) {
+    pub(super) fn beyond<const EFFECTS: u32>(&self, direction: Vector<T>) -> Rgb<T> {
+        let background = known::<EFFECTS, _>(Effect::Background, self.background.as_ref());
+        match (known::<EFFECTS, _>(Effect::Fog, self.haze.as_ref()), background) {
             (Some(haze), _) => haze.color,
             (None, Some(background)) => background.toward(direction),
             (None, None) => Rgb::BLACK,

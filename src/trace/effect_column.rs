@@ -50,7 +50,8 @@ impl<R> EffectColumn<R> {
     /// The effect of a row of the other table.
     #[inline(always)]
     pub fn get(&self, row: usize) -> Option<&R> {
-        self.rows.get(self.index(row))
+        // First, so that an effect that nothing has costs no more than this.
+        if self.rows.is_empty() { None } else { self.rows.get(self.index(row)) }
     }
 
     /// Writes over the effect of a row of the other table; `false`, and nothing done, if it comes or goes.

@@ -1,10 +1,9 @@
 //! Lights.
 
-use crate::effects::{Ball, Cone, Effect, Rgb};
+use crate::effects::{Ball, Cone, Rgb};
 use crate::geometry::{Real, Vector};
 
 use super::EffectColumn;
-use super::kernel::known;
 use super::shape_columns::VectorColumns;
 
 /// Lights.
@@ -40,21 +39,6 @@ pub struct LightRow<T> {
     pub ball: Option<Ball<T>>,
 }
 
-impl<T: Real> LightRow<T> {
-    /// What code for these effects knows of it.
-    #[inline(always)]
-    pub(super) fn of_kernel<const EFFECTS: u32>(self) -> Self {
-        Self {
-            position: self.position,
-            falloff: known::<EFFECTS, _>(Effect::Falloff, self.falloff),
-            cone: known::<EFFECTS, _>(Effect::SpotCone, self.cone),
-            color: known::<EFFECTS, _>(Effect::LightColor, self.color),
-            toward: known::<EFFECTS, _>(Effect::Directional, self.toward),
-            ball: known::<EFFECTS, _>(Effect::AreaLight, self.ball),
-        }
-    }
-}
-
 impl<T: Real> LightTable<T> {
     /// Adds a row.
     pub fn push(&mut self, light: LightRow<T>) {
@@ -74,6 +58,12 @@ impl<T: Real> LightTable<T> {
     /// Whether there is no light.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Where a light is.
+    #[inline(always)]
+    pub(super) fn position(&self, row: usize) -> Vector<T> {
+        self.position.get(row)
     }
 
     /// A row as it was added.

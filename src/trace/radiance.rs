@@ -1,14 +1,16 @@
 //! The recursion.
 
-use crate::effects::{Effect, EffectSet, PixelCone, Rgb, left_by, reflect, split, split_at_sheet};
+use crate::effects::{
+    Effect, EffectSet, Haze, PixelCone, Rgb, Split, left_by, reflect, split, split_at_sheet,
+};
 use crate::geometry::{Convex, Ray, Real, Side, SurfacePoint, Vector};
 
 use super::filtered_color::{PixelSpot, filtered_color};
 use super::kernel::{has, known};
 use super::shade::{Lighting, Look, Shaded};
 use super::{
-    CameraRay, Counts, Departure, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns, SurfaceRow,
-    Trail, closest_hit,
+    CameraRay, Counts, Departure, GlassRow, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns,
+    SurfaceRow, Trail, closest_hit,
 };
 
 /// Where glass splits a ray in two, no part is followed of which less than this, in every channel, would reach the pixel.
@@ -109,12 +111,6 @@ struct Walk<'a, T: Real, const EFFECTS: u32> {
     waiting: Vec<Path<T>>,
 }
 
-/// How much of the light goes on where.
-struct Onward<T> {
-    reflected: T,
-    refracted: Option<(T, Vector<T>)>,
-}
-
 impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
     #[inline(always)]
     fn next_waiting(&mut self) -> Option<Path<T>> {
@@ -127,7 +123,7 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         let tables = self.tables;
         self.rays += 1;
         let Some(hit) = closest_hit(tables, &path.ray, &path.departure, path.reach) else {
-            self.found.color += tables.air.of_kernel::<EFFECTS>().beyond(path.ray.direction) * path.weight;
+            self.found.color += tables.air.beyond::<EFFECTS>(path.ray.direction) * path.weight;
             return None;
         };
         let (surfaces, row) = tables.surface(hit.object);
@@ -139,9 +135,11 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         }
         let direction = path.ray.direction;
         let shaded = Shaded::new(&hit, locate(tables, &hit, &path.ray));
-        let onward = Onward::new(&surface, &hit, shaded.normal, path);
-        // One reflected direction serves gloss and mirrors; a surface with neither never computes it.
-        let needs_mirrored = surface.gloss.is_some() || onward.reflected != T::ZERO;
+        let goes_on = path.remaining > 0;
+        let glass = surface.glass.filter(|_| goes_on);
+        let mirror = surface.mirror.filter(|_| goes_on).unwrap_or(T::ZERO);
+        // One reflected direction serves gloss, mirrors and glass; a surface with none of them never computes it.
+        let needs_mirrored = surface.gloss.is_some() || mirror != T::ZERO || glass.is_some();
         let mirrored = if needs_mirrored { reflect(direction, shaded.normal) } else { direction };
         let cone = path.cone.after(hit.crossing.t);
         let own = filtered_color::<T, EFFECTS>(
@@ -154,21 +152,20 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
         self.found.color += lighting.shade::<EFFECTS>(own, &mut self.found.trail, counts) * weight;
 
-        let leave = |direction, departure, share: T| Path {
-            ray: Ray { origin: shaded.point, direction },
+        let reflected = Path {
+            ray: Ray { origin: shaded.point, direction: mirrored },
             reach: T::INFINITY,
             cone,
-            departure,
-            weight: weight * share,
+            departure: shaded.departure,
+            weight: weight * mirror,
             remaining: path.remaining.wrapping_sub(1),
         };
-        let reflected = leave(mirrored, shaded.departure, onward.reflected);
-        match onward.refracted {
-            None => (reflected.weight.largest() > self.cutoff)
-                .then_some(reflected)
-                .inspect(|_| counts.rays.mirror += 1),
-            Some((share, refracted)) => self.part(reflected, leave(refracted, hit.passage(), share), counts),
+        if let Some(glass) = glass {
+            let cutoff = self.cutoff;
+            let pane = Pane { glass, hit: &hit, normal: shaded.normal, direction, weight, cutoff };
+            return pane.part(mirror, reflected, &mut self.waiting, counts);
         }
+        (reflected.weight.largest() > self.cutoff).then_some(reflected).inspect(|_| counts.rays.mirror += 1)
     }
 
     /// What is left of a ray's light on the way to what it met; what fog adds to it is added.
@@ -180,48 +177,81 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
                 .absorption
                 .map_or(path.weight, |absorption| path.weight * left_by(absorption, distance));
         }
-        let Some(haze) = known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze) else { return path.weight };
-        let left = haze.left_after(distance);
-        self.found.color += haze.color * path.weight * (T::ONE - left);
-        path.weight * left
+        match known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze.as_ref()) {
+            Some(haze) => {
+                let (added, left) = dim_in(haze, path.weight, distance);
+                self.found.color += added;
+                left
+            }
+            None => path.weight,
+        }
     }
+}
 
-    /// Of the two rays that glass makes of one, the first to follow; the other one waits.
-    fn part(&mut self, reflected: Path<T>, refracted: Path<T>, counts: &mut Counts) -> Option<Path<T>> {
-        let [has_reflected, has_refracted] =
-            [&reflected, &refracted].map(|path| path.weight.largest() > self.cutoff);
-        let smallest = if has_reflected && has_refracted { T::from_f64(SMALLEST_PART) } else { T::ZERO };
-        let reflected = Some(reflected).filter(|path| has_reflected && path.weight.largest() >= smallest);
-        let refracted = Some(refracted).filter(|path| has_refracted && path.weight.largest() >= smallest);
+// What few scenes ask for stays in functions of its own: the loop around it would keep less in registers.
+
+/// The light that fog adds on the way, and what it leaves.
+#[inline(never)]
+fn dim_in<T: Real>(haze: &Haze<T>, weight: Rgb<T>, distance: T) -> (Rgb<T>, Rgb<T>) {
+    let left = haze.left_after(distance);
+    (haze.color * weight * (T::ONE - left), weight * left)
+}
+
+/// Glass where a ray meets it.
+struct Pane<'a, T> {
+    glass: GlassRow<T>,
+    hit: &'a Hit<T>,
+    normal: Vector<T>,
+    /// Of the ray.
+    direction: Vector<T>,
+    /// Share of the ray's light in the pixel.
+    weight: Rgb<T>,
+    /// See [`Depth`].
+    cutoff: T,
+}
+
+impl<T: Real> Pane<'_, T> {
+    /// Of the two rays that glass makes of one, the first to follow; the other one waits. The reflected one is given as a
+    /// mirror alone would send it.
+    #[inline(never)]
+    fn part(
+        &self,
+        mirror: T,
+        reflected: Path<T>,
+        waiting: &mut Vec<Path<T>>,
+        counts: &mut Counts,
+    ) -> Option<Path<T>> {
+        let Split { reflected: share, refracted } = self.split();
+        let transmission = self.glass.transmission;
+        let reflected = Path { weight: self.weight * (mirror + transmission * share), ..reflected };
+        let refracted = refracted.map(|direction| Path {
+            ray: Ray { direction, ..reflected.ray },
+            departure: self.hit.passage(),
+            weight: self.weight * (transmission * (T::ONE - share)),
+            ..reflected
+        });
+        let [reflected, refracted] =
+            [Some(reflected), refracted].map(|path| path.filter(|path| path.weight.largest() > self.cutoff));
+        let smallest =
+            if reflected.is_some() && refracted.is_some() { T::from_f64(SMALLEST_PART) } else { T::ZERO };
+        let [reflected, refracted] =
+            [reflected, refracted].map(|path| path.filter(|path| path.weight.largest() >= smallest));
         counts.rays.mirror += u64::from(reflected.is_some());
         counts.rays.refracted += u64::from(refracted.is_some());
         if reflected.is_some() {
-            self.waiting.extend(refracted);
+            waiting.extend(refracted);
             reflected
         } else {
             refracted
         }
     }
-}
 
-impl<T: Real> Onward<T> {
-    #[inline(always)]
-    fn new(surface: &SurfaceRow<T>, hit: &Hit<T>, normal: Vector<T>, path: &Path<T>) -> Self {
-        if path.remaining == 0 {
-            return Self { reflected: T::ZERO, refracted: None };
-        }
-        let mirror = surface.mirror.unwrap_or(T::ZERO);
-        let Some(glass) = surface.glass else { return Self { reflected: mirror, refracted: None } };
-        let direction = path.ray.direction;
-        let parts = match (hit.object.kind, hit.crossing.side) {
-            (Kind::Board, _) => split_at_sheet(direction, normal, T::ONE / glass.index),
-            (_, Side::Outside) => split(direction, normal, T::ONE / glass.index),
-            (_, Side::Inside) => split(direction, normal, glass.index),
-        };
-        let share = glass.transmission * (T::ONE - parts.reflected);
-        Self {
-            reflected: mirror + glass.transmission * parts.reflected,
-            refracted: parts.refracted.map(|direction| (share, direction)),
+    fn split(&self) -> Split<T> {
+        let (direction, normal, index) = (self.direction, self.normal, self.glass.index);
+        match (self.hit.object.kind, self.hit.crossing.side) {
+            (Kind::Board, _) => split_at_sheet(direction, normal, T::ONE / index),
+            (_, Side::Outside) => split(direction, normal, T::ONE / index),
+            (_, Side::Inside) => split(direction, normal, index),
         }
     }
 }

@@ -6,8 +6,7 @@ use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
 use super::kernel::known;
 use super::{
-    Counts, Departure, Hit, Kind, LightRow, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail,
-    is_occluded,
+    Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail, is_occluded,
 };
 
 /// A surface point as the shading sees it.
@@ -80,31 +79,26 @@ impl<T: Real> Lighting<'_, T> {
     fn gather<const EFFECTS: u32>(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
         let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail };
         for row in 0..self.tables.lights.len() {
-            let light = self.tables.lights.row(row).of_kernel::<EFFECTS>();
-            let color = light.color.unwrap_or(Rgb::WHITE);
-            if color == Rgb::BLACK {
-                continue;
-            }
-            if let Some(toward) = light.toward {
-                self.add_parallel(row, toward, color, &mut sums, counts);
-            } else if let Some(ball) = light.ball {
-                self.add_ball(row, &light, ball, color, &mut sums, counts);
+            let lights = &self.tables.lights;
+            if let Some(toward) = known::<EFFECTS, _>(Effect::Directional, lights.toward.get(row)) {
+                self.add_parallel::<EFFECTS>(row, *toward, &mut sums, counts);
+            } else if let Some(ball) = known::<EFFECTS, _>(Effect::AreaLight, lights.ball.get(row)) {
+                self.add_ball::<EFFECTS>(row, ball, &mut sums, counts);
             } else {
-                let segment = light.position - self.shaded.point;
-                self.add_point(row, &light, segment, color, &mut sums, counts);
+                let segment = lights.position(row) - self.shaded.point;
+                self.add_point::<EFFECTS>(row, segment, T::ONE, &mut sums, counts);
             }
         }
         sums
     }
 
-    /// Light from `segment` away.
+    /// Light of a share of a light from `segment` away. What the light is like is asked when it matters.
     #[inline(always)]
-    fn add_point(
+    fn add_point<const EFFECTS: u32>(
         &self,
         row: usize,
-        light: &LightRow<T>,
         segment: Vector<T>,
-        color: Rgb<T>,
+        share: T,
         sums: &mut LightSums<T>,
         counts: &mut Counts,
     ) {
@@ -113,48 +107,43 @@ impl<T: Real> Lighting<'_, T> {
             return;
         }
         // 2. Lights whose cone does not contain the point.
-        if light.cone.is_some_and(|cone| !cone.contains(-segment)) {
+        let cone = known::<EFFECTS, _>(Effect::SpotCone, self.tables.lights.cone.get(row));
+        if cone.is_some_and(|cone| !cone.contains(-segment)) {
             return;
         }
         // 3. Lights of which nothing arrives from so far.
-        let distance_squared = segment.dot(segment);
-        let scale = light.falloff.map_or(T::ONE, |falloff| attenuation(distance_squared, falloff));
+        let falloff = known::<EFFECTS, _>(Effect::Falloff, self.tables.lights.falloff.get(row));
+        let scale = falloff.map_or(share, |&falloff| share * attenuation(segment.dot(segment), falloff));
         if scale == T::ZERO {
             return;
         }
-        // 4. Lights that something hides.
-        if !self.is_hidden(segment, T::ONE, counts) {
-            self.shine(row, segment.unit(), color * scale, sums);
-        }
+        self.shine_unless_hidden::<EFFECTS>(row, (segment, T::ONE), || segment.unit(), scale, sums, counts);
     }
 
     /// Light from a unit direction.
-    #[inline(always)]
-    fn add_parallel(
+    #[inline(never)]
+    fn add_parallel<const EFFECTS: u32>(
         &self,
         row: usize,
         toward: Vector<T>,
-        color: Rgb<T>,
         sums: &mut LightSums<T>,
         counts: &mut Counts,
     ) {
-        if toward.dot(self.shaded.normal) > T::ZERO && !self.is_hidden(toward, T::INFINITY, counts) {
-            self.shine(row, toward, color, sums);
+        if toward.dot(self.shaded.normal) > T::ZERO {
+            self.shine_unless_hidden::<EFFECTS>(row, (toward, T::INFINITY), || toward, T::ONE, sums, counts);
         }
     }
 
     /// Light from samples of a ball.
     #[inline(never)]
-    fn add_ball(
+    fn add_ball<const EFFECTS: u32>(
         &self,
         row: usize,
-        light: &LightRow<T>,
-        ball: Ball<T>,
-        color: Rgb<T>,
+        ball: &Ball<T>,
         sums: &mut LightSums<T>,
         counts: &mut Counts,
     ) {
-        let to_center = light.position - self.shaded.point;
+        let to_center = self.tables.lights.position(row) - self.shaded.point;
         // At its very centre nothing says which way it faces.
         if to_center == Vector::default() {
             return;
@@ -164,7 +153,7 @@ impl<T: Real> Lighting<'_, T> {
         for number in 0..ball.samples {
             let on_disk = disk_point(sequence.point(first.wrapping_add(number)));
             let segment = ball.point(to_center, on_disk);
-            self.add_point(row, light, segment, color * ball.share(), sums, counts);
+            self.add_point::<EFFECTS>(row, segment, ball.share(), sums, counts);
         }
     }
 
@@ -173,6 +162,32 @@ impl<T: Real> Lighting<'_, T> {
         // Lights are far fewer than 2^32.
         let [row, lights] = [row, self.tables.lights.len()].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
         Purpose::Light(self.look.ray.wrapping_mul(lights).wrapping_add(row))
+    }
+
+    /// Light from a direction, unless it is black or something in its reach hides it; `to_light` is the direction's unit.
+    #[inline(always)]
+    fn shine_unless_hidden<const EFFECTS: u32>(
+        &self,
+        row: usize,
+        (segment, reach): (Vector<T>, T),
+        to_light: impl FnOnce() -> Vector<T>,
+        scale: T,
+        sums: &mut LightSums<T>,
+        counts: &mut Counts,
+    ) {
+        let color = known::<EFFECTS, _>(Effect::LightColor, self.tables.lights.color.get(row));
+        if color == Some(&Rgb::BLACK) || self.is_hidden(segment, reach, counts) {
+            return;
+        }
+        match color {
+            Some(&color) => self.shine_in_color(row, to_light(), color * scale, sums),
+            None => self.shine(row, to_light(), Rgb::gray(scale), sums),
+        }
+    }
+
+    #[inline(never)]
+    fn shine_in_color(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+        self.shine(row, to_light, color, sums);
     }
 
     #[inline(always)]

@@ -99,6 +99,7 @@ impl<T: Real> Input<'_, T> {
         match self.kernel {
             Kernel::Plain => self.trace_packets::<{ Kernel::Plain.effects().bits() }>(),
             Kernel::Assignment => self.trace_packets::<{ Kernel::Assignment.effects().bits() }>(),
+            Kernel::Opaque => self.task.trace_each::<{ Kernel::Opaque.effects().bits() }>(self.queue),
             Kernel::Everything => self.task.trace_each::<{ Kernel::Everything.effects().bits() }>(self.queue),
         }
     }

@@ -16,7 +16,7 @@ use super::context::ContextError;
 use super::files::Occasion;
 use super::held::drag;
 use super::keys::{self, Modifiers};
-use super::panel::{PanelState, Request, Status, show, show_overlay};
+use super::panel::{PanelState, Request, Status, show, show_overlay, show_strip};
 use super::pointer::Pointer;
 use super::report::Happened;
 use super::screen::Screen;
@@ -336,5 +336,6 @@ fn show_panel(
     if session.switches.panel {
         requests.extend(show(ui, &mut session.world, &mut session.editor, status, state));
     }
+    requests.extend(show_strip(ui, &mut session.world, &mut session.editor, status));
     requests
 }

@@ -17,6 +17,10 @@ pub(super) enum Command {
     ToggleTexture,
     /// Preview, traced picture, both, in turn.
     NextMode,
+    /// The traced picture, its errors, its rays, in turn.
+    NextShows,
+    /// The strip of figures on or off.
+    ToggleStrip,
     /// Panel on or off.
     TogglePanel,
     /// Markers of the lights on or off.

@@ -2,11 +2,12 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{Checkerboard, Precision, Textured};
+use crate::components::{Checkerboard, Textured};
 use crate::preview::Layout;
 
 use super::command::Command;
 use super::files::Occasion;
+use super::live::Shows;
 use super::panel::name_of;
 use super::report::Happened;
 use super::session::{Session, Switches};
@@ -30,6 +31,8 @@ impl Session {
             Command::Cancel => self.cancel(),
             Command::ToggleTexture => self.toggle_texture(),
             Command::NextMode => self.set_mode(next(self.switches.mode)),
+            Command::NextShows => self.set_shows(next_shows(self.switches.shows)),
+            Command::ToggleStrip => self.switch("strip", |switches| &mut switches.strip),
             Command::TogglePanel => self.switch("panel", |switches| &mut switches.panel),
             Command::ToggleLights => self.switch("lights", |switches| &mut switches.lights),
             Command::ToggleAxes => self.switch("axes", |switches| &mut switches.axes),
@@ -58,10 +61,15 @@ impl Session {
         self.report.event(&Happened::Mode { mode });
     }
 
-    /// Traces in another precision from now on.
-    pub(super) fn set_precision(&mut self, precision: Precision) {
-        self.switches.precision = precision;
-        self.report.event(&Happened::Switched { what: "f32", on: precision == Precision::F32 });
+    /// Shows the traced picture itself, or a map of its errors or rays in false colours.
+    pub(super) fn set_shows(&mut self, shows: Shows) {
+        self.switches.shows = shows;
+        if shows != Shows::Picture && self.switches.mode == Layout::Preview {
+            self.set_mode(Layout::Traced);
+        }
+        for (what, on) in [("errors", shows == Shows::Errors), ("rays", shows == Shows::Rays)] {
+            self.report.event(&Happened::Switched { what, on });
+        }
     }
 
     /// Selects what shows at a pixel of the picture, or nothing.
@@ -178,5 +186,13 @@ fn next(mode: Layout) -> Layout {
         Layout::Preview => Layout::Traced,
         Layout::Traced => Layout::Split,
         Layout::Split => Layout::Preview,
+    }
+}
+
+fn next_shows(shows: Shows) -> Shows {
+    match shows {
+        Shows::Picture => Shows::Errors,
+        Shows::Errors => Shows::Rays,
+        Shows::Rays => Shows::Picture,
     }
 }

@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::components::{CameraPose, Precision, Sampling, Snapshot};
+use crate::components::{CameraPose, Snapshot};
 use crate::effects::EffectSet;
 use crate::scene::{DescribeError, describe};
+use crate::study::{Preset, Setting};
 use crate::systems::Muted;
-use crate::trace::SampleGrid;
 use crate::whole_file::{WriteError, write_new, write_whole};
 
+use super::editor::{Traced, accuracy};
 use super::render_command::RenderCommand;
 use super::report::Happened;
 use super::session::Session;
@@ -27,9 +28,8 @@ pub(super) enum Occasion {
 pub(super) struct Recipe {
     scene: PathBuf,
     pose: CameraPose,
-    sampling: Sampling,
+    setting: Option<Setting>,
     muted: EffectSet,
-    precision: Precision,
     texture: Vec<std::ffi::OsString>,
     is_edited: bool,
 }
@@ -103,12 +103,11 @@ impl Session {
             return self.refuse("trace", &problems);
         };
         let Snapshot { pixels, .. } = *self.world.resource();
-        let sampling: Sampling = *self.world.resource();
-        let recipe = self.recipe_of(view.pose, sampling);
+        let recipe = self.recipe_of(view.pose);
         let request = SnapshotRequest {
             view,
             pixels,
-            grid: SampleGrid::new(sampling.side),
+            samples: self.samples(),
             folder: self.scene.out.clone(),
             stem: self.scene.name.clone().into(),
         };
@@ -122,13 +121,14 @@ impl Session {
         }
     }
 
-    fn recipe_of(&self, pose: CameraPose, sampling: Sampling) -> Option<Recipe> {
+    fn recipe_of(&mut self, pose: CameraPose) -> Option<Recipe> {
+        let setting = accuracy(&mut self.world);
+        let is_chosen = self.world.resource::<Traced>().is_chosen();
         Some(Recipe {
             scene: self.scene.held_by.clone()?,
             pose,
-            sampling,
+            setting: Some(setting).filter(|_| is_chosen || setting != Preset::Assignment.of(setting)),
             muted: self.world.resource::<Muted>().0,
-            precision: self.switches.precision,
             texture: if self.switches.texture { self.scene.texture_arguments.clone() } else { Vec::new() },
             is_edited: self.editor.is_modified(),
         })
@@ -164,9 +164,9 @@ impl Session {
 
 impl Recipe {
     fn command(&self, output: &Path) -> String {
-        let Self { scene, pose, texture, .. } = self;
-        let (sampling, precision, muted) = (self.sampling, self.precision, self.muted);
-        RenderCommand { scene, output, pose, sampling, precision, muted, texture }.to_string()
+        let Self { scene, pose, texture, setting, muted, .. } = self;
+        let (setting, muted) = (*setting, *muted);
+        RenderCommand { scene, output, pose, setting, muted, texture }.to_string()
     }
 }
 

@@ -128,6 +128,12 @@ pub(super) const KEYS: &[KeyRow] = &[
     row("0", "trace this view and write it as a BMP", &[plain(Sign('0'), Command::Trace)]),
     row("esc", "stop tracing, or close a message", &[plain(Named(NamedKey::Escape), Command::Cancel)]),
     row("t", "preview, traced picture, or both", &[plain(Sign('t'), Command::NextMode)]),
+    row(
+        "h",
+        "the traced picture, its estimated errors, or its rays per pixel",
+        &[plain(Sign('h'), Command::NextShows)],
+    ),
+    row("i", "strip of figures on / off", &[plain(Sign('i'), Command::ToggleStrip)]),
     row("space", "texture on / off", &[plain(Named(NamedKey::Space), Command::ToggleTexture)]),
     row(
         "l / x",

@@ -6,14 +6,26 @@ use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::film::Film;
 use crate::systems::{FrameError, Monitor, Workers};
-use crate::trace::{Counts, SampleGrid};
+use crate::trace::Counts;
 
 use super::pace::Pace;
-use super::traced_view::TracedView;
+use super::traced_view::{Samples, TracedView};
+use job::Job;
+
+/// What is shown of a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Shows {
+    /// Itself.
+    #[default]
+    Picture,
+    /// The error of each pixel in false colours, as it is estimated.
+    Errors,
+    /// The rays of each pixel in false colours.
+    Rays,
+}
 
 /// A picture for the window.
 #[derive(Clone, Debug)]
@@ -23,7 +35,9 @@ pub(crate) struct LiveRequest {
     /// Pixels along each side of the full picture.
     pub(crate) side: u32,
     /// The samples of each pixel when it is complete.
-    pub(crate) grid: SampleGrid,
+    pub(crate) samples: Samples,
+    /// What is shown of it.
+    pub(crate) shows: Shows,
 }
 
 /// A picture as far as it has come.
@@ -33,7 +47,9 @@ pub(crate) struct Shown {
     pub(crate) side: u32,
     /// Red, green, blue, top row first, in 8 bits as they are in a file.
     pub(crate) rgb8: Vec<u8>,
-    /// Samples of each pixel so far.
+    /// What it shows.
+    pub(crate) shows: Shows,
+    /// Samples of each pixel so far; where that is decided pixel by pixel, the most that one may get.
     pub(crate) samples: u32,
     /// Whether nothing better follows.
     pub(crate) is_final: bool,
@@ -41,6 +57,10 @@ pub(crate) struct Shown {
     pub(crate) counts: Counts,
     /// Milliseconds that their tracing took.
     pub(crate) milliseconds: f64,
+    /// Root mean squared error of the channels, 0 to 1, as the samples tell; nothing while they do not yet.
+    pub(crate) error: Option<f64>,
+    /// The largest number of a heat map's scale.
+    pub(crate) most: f64,
 }
 
 /// The live trace. Dropping it gives up what it does, and waits for the thread to end.
@@ -137,7 +157,7 @@ impl Shared {
         let request = mailbox.request.take()?;
         mailbox.is_working = true;
         let monitor = Monitor::new(|_| (), mailbox.cancel.clone());
-        Some(Job { shared: self, workers, request, generation: mailbox.generation, monitor })
+        Some(Job::new(self, workers, request, mailbox.generation, monitor))
     }
 
     fn finish(&self) {
@@ -162,7 +182,7 @@ fn serve(shared: &Shared, workers: &Workers) {
     let mut pace = Pace::default();
     while let Some(job) = shared.next(workers) {
         if let Err(error) = job.run(&mut pace) {
-            shared.show(job.generation, Err(error));
+            job.fail(error);
         }
         // Before the thread is said to be idle: until then nobody may count on the tables being free.
         drop(job);
@@ -170,78 +190,8 @@ fn serve(shared: &Shared, workers: &Workers) {
     }
 }
 
-/// A request that is worked on.
-struct Job<'a> {
-    shared: &'a Shared,
-    workers: &'a Workers,
-    request: LiveRequest,
-    generation: u64,
-    monitor: Monitor,
-}
-
-/// What some passes have come to.
-#[derive(Clone, Copy, Default)]
-struct Tally {
-    counts: Counts,
-    taken: Duration,
-}
-
-impl Job<'_> {
-    fn run(&self, pace: &mut Pace) -> Result<(), FrameError> {
-        let &LiveRequest { side, grid, .. } = &self.request;
-        let coarse = pace.coarse_side(side);
-        if coarse < side {
-            self.refine(coarse, SampleGrid::CENTER, false, pace)?;
-        }
-        // Only an odd grid begins with the pixel's centre.
-        if grid.side().is_multiple_of(2) {
-            self.refine(side, SampleGrid::CENTER, false, pace)?;
-        }
-        self.refine(side, grid, true, pace)
-    }
-
-    /// Traces a picture and shows it after each sample.
-    fn refine(&self, side: u32, grid: SampleGrid, is_last: bool, pace: &mut Pace) -> Result<(), FrameError> {
-        let mut film = Film::new(side).ok_or(FrameError::Memory(side))?;
-        let mut tally = Tally::default();
-        for pass in (0..grid.count()).take_while(|_| !self.monitor.is_cancelled()) {
-            self.trace((grid, pass), &mut film, &mut tally, pace);
-            if !self.monitor.is_cancelled() {
-                let samples = pass + 1;
-                self.show(&film, samples, is_last && samples == grid.count(), tally);
-            }
-        }
-        Ok(())
-    }
-
-    fn trace(&self, pass: (SampleGrid, u32), film: &mut Film, tally: &mut Tally, pace: &mut Pace) {
-        let start = Instant::now();
-        let workers = self.workers.clone().with_tile_size(tile_size(film.side()));
-        let counts = self.request.view.trace_pass(pass, film, &workers, &self.monitor);
-        let taken = start.elapsed();
-        tally.counts += counts;
-        tally.taken += taken;
-        let is_whole = !self.monitor.is_cancelled();
-        pace.learn(if is_whole { u64::from(film.side()).pow(2) } else { counts.rays.primary }, taken);
-    }
-
-    fn show(&self, film: &Film, samples: u32, is_final: bool, tally: Tally) {
-        let shown = Shown {
-            side: film.side(),
-            rgb8: film.mean_to_rgb8(samples),
-            samples,
-            is_final,
-            counts: tally.counts,
-            milliseconds: tally.taken.as_secs_f64() * 1e3,
-        };
-        self.shared.show(self.generation, Ok(shown));
-    }
-}
-
-/// Coarse pictures are cut into smaller tiles, so that there is one for every thread.
-fn tile_size(side: u32) -> u32 {
-    (side / 16).clamp(1, 32)
-}
+mod estimate;
+mod job;
 
 #[cfg(test)]
 mod tests;

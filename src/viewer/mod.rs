@@ -14,6 +14,7 @@ mod commands;
 mod context;
 mod editor;
 mod files;
+mod fronts;
 pub mod headless;
 mod held;
 mod keys;

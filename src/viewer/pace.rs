@@ -32,10 +32,15 @@ impl Pace {
     /// Pixels along each side of the coarse picture for a full one of `side`: as many as are there at once, of that
     /// number and its halves; `side` itself if nothing coarser is needed.
     pub(super) fn coarse_side(&self, side: u32) -> u32 {
+        self.side_within(side, AT_ONCE)
+    }
+
+    /// The same for another time than that.
+    pub(super) fn side_within(&self, side: u32, time: Duration) -> u32 {
         let Some(seconds) = self.seconds_a_sample else {
             return side.div_ceil(FIRST_FACTOR);
         };
-        let fits = |side: u32| f64::from(side).powi(2) * seconds <= AT_ONCE.as_secs_f64();
+        let fits = |side: u32| f64::from(side).powi(2) * seconds <= time.as_secs_f64();
         let mut sides = iter::successors(Some(side), |side| Some(side.div_ceil(2)));
         sides.find(|&coarse| coarse <= LEAST_SIDE || fits(coarse)).unwrap_or(side)
     }

@@ -2,18 +2,20 @@
 
 use std::time::Duration;
 
-use crate::components::{CameraPose, Lens, Precision, Sampling, Snapshot};
+use crate::components::{Adaptive, CameraPose, Cutoff, Lens, Precision, Sampling, Snapshot};
 use crate::preview::Layout;
 use crate::systems::Workers;
 use crate::trace::{CameraEffects, SampleGrid};
 
 use super::ViewerError;
-use super::live::{Live, LiveRequest, Shown};
+use super::editor::Traced;
+use super::live::{Live, LiveRequest, Shown, Shows};
 use super::report::{Happened, hash};
 use super::session::Session;
+use super::traced_view::Samples;
 
-/// Sample points along each side of a pixel that a picture ends with where the World asks for no more than one. Odd,
-/// so that the first of them is the centre, which `render` takes.
+/// Sample points along each side of a pixel that a picture ends with where the World asks for no more than one and
+/// nobody has chosen that. Odd, so that the first of them is the centre, which `render` takes.
 const GRID: u32 = 3;
 /// How long a frame waits for the first, coarse picture after a change.
 const FIRST_PICTURE: Duration = Duration::from_millis(60);
@@ -33,8 +35,10 @@ struct Wanted {
     lens: Lens,
     effects: CameraEffects,
     level: u32,
+    cutoff: f64,
     side: u32,
-    grid: u32,
+    samples: Samples,
+    shows: Shows,
     revision: u64,
     precision: Precision,
 }
@@ -71,6 +75,11 @@ impl Session {
         self.world.resource::<Snapshot>().level
     }
 
+    /// Share of the light in a pixel up to which no ray is followed.
+    pub(super) fn cutoff(&self) -> f64 {
+        self.world.get_resource::<Cutoff>().map_or(0.0, |cutoff| cutoff.0)
+    }
+
     /// What the window shows: a traced picture only where there is one.
     pub(super) fn shown_mode(&self) -> Layout {
         match self.refined.newest {
@@ -85,8 +94,8 @@ impl Session {
         if wanted != self.refined.asked_for {
             self.refined.asked_for = wanted;
             match (wanted, self.view()) {
-                (Some(Wanted { side, grid, .. }), Some(view)) => {
-                    self.refined.live.request(LiveRequest { view, side, grid: SampleGrid::new(grid) });
+                (Some(Wanted { side, samples, shows, .. }), Some(view)) => {
+                    self.refined.live.request(LiveRequest { view, side, samples, shows });
                     let first = self.refined.live.wait(FIRST_PICTURE);
                     self.take(first);
                 }
@@ -106,13 +115,23 @@ impl Session {
             return None;
         }
         let (pose, lens) = self.camera()?;
-        let grid = match self.world.resource::<Sampling>().side {
-            0 | 1 => GRID,
-            side => side,
-        };
-        let (revision, precision) = (self.revision(), self.switches.precision);
-        let (effects, level, side) = (self.camera_effects(), self.level(), self.side);
-        Some(Wanted { pose, lens, effects, level, side, grid, revision, precision })
+        let (samples, shows, side) = (self.live_samples(), self.switches.shows, self.side);
+        let (revision, precision) = (self.revision(), self.precision());
+        let (effects, level, cutoff) = (self.camera_effects(), self.level(), self.cutoff());
+        Some(Wanted { pose, lens, effects, level, cutoff, side, samples, shows, revision, precision })
+    }
+
+    /// The samples that a picture ends with in a file.
+    pub(super) fn samples(&self) -> Samples {
+        let grid = SampleGrid::new(self.world.resource::<Sampling>().side);
+        Samples { grid, threshold: self.world.get_resource::<Adaptive>().map(|adaptive| adaptive.threshold) }
+    }
+
+    /// The same in the window: more than one, unless it was said that one is enough.
+    fn live_samples(&self) -> Samples {
+        let samples = self.samples();
+        let is_one = samples.grid == SampleGrid::CENTER && !self.world.resource::<Traced>().is_chosen();
+        if is_one { Samples::of(SampleGrid::new(GRID)) } else { samples }
     }
 
     fn take(&mut self, picture: Option<Result<Shown, crate::systems::FrameError>>) {
@@ -129,10 +148,16 @@ impl Session {
 
     /// Tells of complete pictures: the one with one sample, and the last.
     fn tell_picture(&mut self, picture: &Shown) {
-        let &Shown { side, samples, is_final, .. } = picture;
-        if self.report.has_events() && side == self.side && (samples == 1 || is_final) {
-            let hash = hash(&picture.rgb8);
-            self.report.event(&Happened::Picture { side, samples, is_final, hash: &hash });
-        }
+        let &Shown { side, samples, is_final, most, .. } = picture;
+        let what = match picture.shows {
+            Shows::Picture if self.report.has_events() && side == self.side && (samples == 1 || is_final) => {
+                let hash = hash(&picture.rgb8);
+                return self.report.event(&Happened::Picture { side, samples, is_final, hash: &hash });
+            }
+            Shows::Errors if is_final => "errors",
+            Shows::Rays if is_final => "rays",
+            _ => return,
+        };
+        self.report.event(&Happened::HeatMap { what, side, most });
     }
 }

@@ -6,9 +6,10 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use crate::components::{CameraPose, Precision, Sampling};
+use crate::components::CameraPose;
 use crate::effects::EffectSet;
 use crate::scene::Number;
+use crate::study::Setting;
 
 /// `archetrace render` with everything that makes it write the same bytes as a snapshot of the window. As text it is
 /// a line for the shell: every number is in the fewest digits that read back to it, and quoted is what has to be.
@@ -20,10 +21,8 @@ pub struct RenderCommand<'a> {
     pub output: &'a Path,
     /// The camera, as the window has it.
     pub pose: &'a CameraPose,
-    /// Samples of each pixel.
-    pub sampling: Sampling,
-    /// Precision of the trace.
-    pub precision: Precision,
+    /// Accuracy; nothing for what `render` gives the scene by itself.
+    pub setting: Option<Setting>,
     /// Effects that are switched off.
     pub muted: EffectSet,
     /// Arguments about textures, as they were given: `--texture` and what follows. None for plain cells.
@@ -40,11 +39,8 @@ impl fmt::Display for RenderCommand<'_> {
             Quoted(self.output.as_os_str())
         )?;
         write!(f, " --eye={} --look={} --up={}", Commas(*position), Commas(*l), Commas(*u))?;
-        if self.sampling.side > 1 {
-            write!(f, " --samples={}", self.sampling.side.pow(2))?;
-        }
-        if self.precision == Precision::F32 {
-            write!(f, " --precision=f32")?;
+        if let Some(setting) = &self.setting {
+            write!(f, " {}", setting.flags())?;
         }
         self.muted.iter().try_for_each(|effect| write!(f, " --without={}", effect.name()))?;
         self.texture.iter().try_for_each(|argument| write!(f, " {}", Quoted(argument)))

@@ -46,6 +46,8 @@ pub(super) enum Happened<'a> {
     Cancelled,
     /// A picture traced for the window is complete with this many samples a pixel.
     Picture { side: u32, samples: u32, is_final: bool, hash: &'a str },
+    /// A picture in false colours for the window is complete; its scale goes to this number.
+    HeatMap { what: &'a str, side: u32, most: f64 },
     /// Something could not be done.
     Failed { what: &'a str, message: &'a str },
 }

@@ -11,8 +11,10 @@ use crate::preview::Layout;
 use crate::systems::{Tables, Workers, control_schedule, extract_schedule, list_schedule, prepare};
 use crate::trace::CameraEffects;
 
-use super::editor::Editor;
+use super::editor::{Editor, Traced};
+use super::fronts::Fronts;
 use super::held::Held;
+use super::live::Shows;
 use super::panel::Messages;
 use super::refine::Refined;
 use super::report::Report;
@@ -42,6 +44,7 @@ pub(super) struct Session {
     /// Pixels along each side of the square picture in the window.
     pub(super) side: u32,
     pub(super) refined: Refined,
+    pub(super) fronts: Fronts,
     /// The number of the last edit that was told of.
     pub(super) told_edit: u64,
     /// The editor's number of arrivals when images were laid on boards last.
@@ -56,11 +59,12 @@ pub(super) struct Session {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Switches {
     pub(super) mode: Layout,
-    pub(super) precision: Precision,
+    pub(super) shows: Shows,
     pub(super) texture: bool,
     pub(super) lights: bool,
     pub(super) axes: bool,
     pub(super) panel: bool,
+    pub(super) strip: bool,
 }
 
 /// The schedules of a frame.
@@ -82,16 +86,18 @@ impl Session {
         prepare::<f64>(&mut world, workers.clone());
         prepare::<f32>(&mut world, workers.clone());
         world.init_resource::<FrameTime>();
+        world.insert_resource(Traced { precision: options.precision, own_level: None });
         if file.is_none() {
             remember_home(&mut world);
         }
         let switches = Switches {
             mode: Layout::Preview,
-            precision: options.precision,
+            shows: Shows::Picture,
             texture: false,
             lights: true,
             axes: true,
             panel: false,
+            strip: true,
         };
         let mut session = Self {
             editor: Editor::default(),
@@ -103,6 +109,7 @@ impl Session {
             recipe: None,
             messages: Messages::default(),
             written: None,
+            fronts: Fronts::new(wake.clone()),
             refined: Refined::new(workers.clone(), wake)?,
             workers,
             textured: options.textured,
@@ -139,13 +146,20 @@ impl Session {
         }
         self.tell_edits();
         self.refine();
+        self.measure_front();
         self.collect_snapshot();
     }
 
     /// Makes the moves that were asked for and brings the tables up to the World as it is now. What comes between two
     /// frames needs that before it looks.
     pub(super) fn settle(&mut self) {
-        self.schedules.run(&mut self.world, self.switches.precision);
+        let precision = self.precision();
+        self.schedules.run(&mut self.world, precision);
+    }
+
+    /// Of tables and kernels.
+    pub(super) fn precision(&self) -> Precision {
+        self.world.resource::<Traced>().precision
     }
 
     /// Asks the camera for moves, made in the next update.
@@ -166,7 +180,7 @@ impl Session {
 
     /// Everything that keeps the World from being traced.
     pub(super) fn problems(&self) -> Vec<String> {
-        let problems = match self.switches.precision {
+        let problems = match self.precision() {
             Precision::F64 => self.tables::<f64>().problems(),
             Precision::F32 => self.tables::<f32>().problems(),
         };
@@ -175,7 +189,7 @@ impl Session {
 
     /// A number that grows when the tables of the present precision change.
     pub(super) fn revision(&self) -> u64 {
-        match self.switches.precision {
+        match self.precision() {
             Precision::F64 => self.tables::<f64>().revision(),
             Precision::F32 => self.tables::<f32>().revision(),
         }
@@ -184,16 +198,23 @@ impl Session {
     /// The view as it stands, to be traced beside the World; `None` if the World cannot be traced.
     pub(super) fn view(&mut self) -> Option<TracedView> {
         let (pose, lens) = self.camera().filter(|_| self.problems().is_empty())?;
-        let tables = match self.switches.precision {
+        let tables = match self.precision() {
             Precision::F64 => SharedTables::F64(self.tables::<f64>().scene.clone()),
             Precision::F32 => SharedTables::F32(self.tables::<f32>().scene.clone()),
         };
-        Some(TracedView { tables, pose, lens, effects: self.camera_effects(), level: self.level() })
+        Some(TracedView {
+            tables,
+            pose,
+            lens,
+            effects: self.camera_effects(),
+            level: self.level(),
+            cutoff: self.cutoff(),
+        })
     }
 
     /// What the camera does beyond that of a pinhole.
     pub(super) fn camera_effects(&self) -> CameraEffects {
-        match self.switches.precision {
+        match self.precision() {
             Precision::F64 => self.tables::<f64>().camera_effects(),
             Precision::F32 => self.tables::<f32>().camera_effects(),
         }
@@ -203,7 +224,7 @@ impl Session {
     pub(super) fn entity_at(&mut self, pixel: (u32, u32)) -> Option<Entity> {
         self.settle();
         let (pose, lens) = self.camera().filter(|_| self.problems().is_empty())?;
-        match self.switches.precision {
+        match self.precision() {
             Precision::F64 => entity_at(self.tables::<f64>(), &pose, &lens, self.side, pixel),
             Precision::F32 => entity_at(self.tables::<f32>(), &pose, &lens, self.side, pixel),
         }

@@ -14,10 +14,9 @@ use thiserror::Error;
 use crate::film::Film;
 use crate::image_file::{ImageFileError, encode};
 use crate::systems::{FrameError, Monitor, Workers, WorkersError};
-use crate::trace::SampleGrid;
 use crate::whole_file::{WriteError, check_folder, write_new};
 
-use super::traced_view::TracedView;
+use super::traced_view::{Samples, TracedView};
 
 /// A picture to be traced and written as `<stem>-001.bmp`, or under the next number that is free.
 #[derive(Clone, Debug)]
@@ -27,7 +26,7 @@ pub(crate) struct SnapshotRequest {
     /// Pixels along each side.
     pub(crate) pixels: u32,
     /// The samples of each pixel.
-    pub(crate) grid: SampleGrid,
+    pub(crate) samples: Samples,
     /// Folder of the file; empty for the current one.
     pub(crate) folder: PathBuf,
     /// What its name begins with.
@@ -159,7 +158,7 @@ impl Drop for Running {
 
 impl Progress {
     fn of(request: &SnapshotRequest) -> Self {
-        let total = u64::from(request.pixels).pow(2) * u64::from(request.grid.count());
+        let total = u64::from(request.pixels).pow(2) * u64::from(request.samples.grid.count());
         Self { done: AtomicU64::new(0), total: total.max(1) }
     }
 
@@ -209,9 +208,9 @@ fn try_trace_to_file(
     workers: &Workers,
     monitor: &Monitor,
 ) -> Result<PathBuf, NoFile> {
-    let SnapshotRequest { view, pixels, grid, folder, stem } = request;
+    let SnapshotRequest { view, pixels, samples, folder, stem } = request;
     let mut film = Film::new(*pixels).ok_or(FrameError::Memory(*pixels))?;
-    view.trace_picture(*grid, &mut film, workers, monitor);
+    view.trace_picture(*samples, &mut film, workers, monitor);
     go_on(monitor)?;
     let picture = encode(&film, Path::new("picture.bmp"))?;
     go_on(monitor)?;

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use crate::components::Precision;
 use crate::geometry::Real;
+use crate::preview::Layout;
 use crate::systems::Tables;
 use crate::trace::Counts;
 
@@ -21,7 +22,13 @@ impl Session {
             scene: self.scene.path.clone(),
             name: self.scene.name.clone(),
             mode: self.switches.mode,
-            precision: self.switches.precision,
+            shows: self.switches.shows,
+            picture: traced.map(|picture| picture.shows),
+            error: traced.and_then(|picture| picture.error),
+            most: traced.map_or(0.0, |picture| picture.most),
+            is_complete: traced.is_some_and(|picture| picture.is_final),
+            front: self.fronts.front().clone(),
+            strip: self.switches.strip && self.shown_mode() != Layout::Preview,
             texture: self.switches.texture,
             threads: self.workers.threads(),
             samples: traced.map_or(0, |picture| picture.samples),
@@ -36,7 +43,7 @@ impl Session {
             messages: self.messages.list().to_vec(),
             ..Status::default()
         };
-        match self.switches.precision {
+        match self.precision() {
             Precision::F64 => with_tables(status, self.tables::<f64>()),
             Precision::F32 => with_tables(status, self.tables::<f32>()),
         }
@@ -52,7 +59,8 @@ impl Session {
             Request::Trace => return self.command(Command::Trace),
             Request::CancelTrace => self.snapshots.cancel(),
             Request::SetMode(mode) => self.set_mode(mode),
-            Request::SetPrecision(precision) => self.set_precision(precision),
+            Request::SetShows(shows) => self.set_shows(shows),
+            Request::MeasureFront => self.fronts.forget(),
             Request::ToggleTexture => return self.command(Command::ToggleTexture),
             Request::Dismiss(place) => self.messages.dismiss(place),
         }

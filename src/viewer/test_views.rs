@@ -6,7 +6,7 @@ use std::path::Path;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
-use crate::components::{CameraPose, Lens, Position, Precision, Sampling, Snapshot, Sphere};
+use crate::components::{CameraPose, Cutoff, Lens, Position, Precision, Sampling, Snapshot, Sphere};
 use crate::film::Film;
 use crate::geometry::{Real, is_camera_basis};
 use crate::scene::{Source, spawn};
@@ -55,7 +55,14 @@ pub(super) fn view(world: &mut World, precision: Precision) -> TracedView {
         Precision::F64 => world.resource::<Tables<f64>>().camera_effects(),
         Precision::F32 => world.resource::<Tables<f32>>().camera_effects(),
     };
-    TracedView { tables, pose, lens, effects, level: world.resource::<Snapshot>().level }
+    TracedView {
+        tables,
+        pose,
+        lens,
+        effects,
+        level: world.resource::<Snapshot>().level,
+        cutoff: world.get_resource::<Cutoff>().map_or(0.0, |cutoff| cutoff.0),
+    }
 }
 
 fn extracted<T: Real>(world: &mut World) -> &Tables<T> {

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use crate::components::{CameraPose, Lens};
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::systems::{Monitor, Workers, trace_pass, trace_picture};
-use crate::trace::{CameraEffects, CameraRays, Counts, Exposure, Kernel, SampleGrid, SceneTables};
+use crate::systems::{Monitor, Workers, count_rays, trace_adaptive, trace_pass, trace_picture};
+use crate::trace::{CameraEffects, CameraRays, Counts, Depth, Exposure, Refinement, SampleGrid, SceneTables};
 
 /// Tables of either precision, shared with the World that they were extracted from.
 #[derive(Clone, Debug)]
@@ -31,6 +31,24 @@ pub(crate) struct TracedView {
     pub(crate) effects: CameraEffects,
     /// Rays that may follow each other.
     pub(crate) level: u32,
+    /// Share of the light in a pixel, 0 to 1, up to which no ray is followed.
+    pub(crate) cutoff: f64,
+}
+
+/// How pixels are sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Samples {
+    /// The points in each pixel; with a threshold the most there are.
+    pub(crate) grid: SampleGrid,
+    /// Expected error, 0 to 1, at which a pixel gets no more; nothing where all get the same.
+    pub(crate) threshold: Option<f64>,
+}
+
+impl Samples {
+    /// The same points in all pixels.
+    pub(crate) fn of(grid: SampleGrid) -> Self {
+        Self { grid, threshold: None }
+    }
 }
 
 /// The pose that `render` computes from the printed numbers of a pose: eye, `l` as the direction to look in, `u` as
@@ -48,47 +66,66 @@ impl TracedView {
         workers: &Workers,
         monitor: &Monitor,
     ) -> Counts {
-        let pixels = film.side();
         match &self.tables {
-            SharedTables::F64(tables) => trace_pass(
-                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
-                pass,
-                film,
-                workers,
-                monitor,
-            ),
-            SharedTables::F32(tables) => trace_pass(
-                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
-                pass,
-                film,
-                workers,
-                monitor,
-            ),
+            SharedTables::F64(tables) => self.pass_of(tables, (grid, pass), film, workers, monitor),
+            SharedTables::F32(tables) => self.pass_of(tables, (grid, pass), film, workers, monitor),
         }
     }
 
-    /// The whole picture, see [`trace_picture`].
+    /// The whole picture, see [`trace_picture`] and [`trace_adaptive`].
     pub(super) fn trace_picture(
         &self,
-        grid: SampleGrid,
+        samples: Samples,
+        film: &mut Film,
+        workers: &Workers,
+        monitor: &Monitor,
+    ) -> (Counts, Option<Refinement>) {
+        match &self.tables {
+            SharedTables::F64(tables) => self.picture_of(tables, samples, film, workers, monitor),
+            SharedTables::F32(tables) => self.picture_of(tables, samples, film, workers, monitor),
+        }
+    }
+
+    /// Rays of the first sample of each pixel, see [`count_rays`].
+    pub(super) fn count_rays(&self, grid: SampleGrid, pixels: u32, workers: &Workers) -> Vec<u32> {
+        match &self.tables {
+            SharedTables::F64(tables) => {
+                count_rays(&self.exposure(tables, &self.rays(pixels), grid, workers), workers)
+            }
+            SharedTables::F32(tables) => {
+                count_rays(&self.exposure(tables, &self.rays(pixels), grid, workers), workers)
+            }
+        }
+    }
+
+    fn pass_of<T: Real>(
+        &self,
+        tables: &SceneTables<T>,
+        (grid, pass): (SampleGrid, u32),
         film: &mut Film,
         workers: &Workers,
         monitor: &Monitor,
     ) -> Counts {
-        let pixels = film.side();
-        match &self.tables {
-            SharedTables::F64(tables) => trace_picture(
-                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
-                film,
-                workers,
-                monitor,
-            ),
-            SharedTables::F32(tables) => trace_picture(
-                &self.exposure(tables, &self.rays(pixels), grid, self.kernel(tables, workers)),
-                film,
-                workers,
-                monitor,
-            ),
+        let rays = self.rays(film.side());
+        trace_pass(&self.exposure(tables, &rays, grid, workers), pass, film, workers, monitor)
+    }
+
+    fn picture_of<T: Real>(
+        &self,
+        tables: &SceneTables<T>,
+        samples: Samples,
+        film: &mut Film,
+        workers: &Workers,
+        monitor: &Monitor,
+    ) -> (Counts, Option<Refinement>) {
+        let rays = self.rays(film.side());
+        let exposure = self.exposure(tables, &rays, samples.grid, workers);
+        match samples.threshold {
+            None => (trace_picture(&exposure, film, workers, monitor), None),
+            Some(threshold) => {
+                let (counts, refinement) = trace_adaptive(&exposure, threshold, film, workers, monitor);
+                (counts, Some(refinement))
+            }
         }
     }
 
@@ -96,17 +133,15 @@ impl TracedView {
         CameraRays::new(&traced_pose(&self.pose), &self.lens, pixels).with_effects(self.effects)
     }
 
-    fn kernel<T: Real>(&self, tables: &SceneTables<T>, workers: &Workers) -> Kernel {
-        workers.kernel_for(tables.effects().union(self.effects.set()))
-    }
-
     fn exposure<'a, T: Real>(
         &self,
         tables: &'a SceneTables<T>,
         camera: &'a CameraRays<T>,
         grid: SampleGrid,
-        kernel: Kernel,
+        workers: &Workers,
     ) -> Exposure<'a, T> {
-        Exposure { grid, kernel, ..Exposure::new(tables, camera, self.level) }
+        let kernel = workers.kernel_for(tables.effects().union(self.effects.set()));
+        let depth = Depth { level: self.level, cutoff: T::from_f64(self.cutoff) };
+        Exposure { grid, kernel, depth, ..Exposure::new(tables, camera, self.level) }
     }
 }

@@ -10,6 +10,7 @@ use archetrace::effects::{Effect, EffectSet};
 use archetrace::geometry::Real;
 use archetrace::image_file::encode;
 use archetrace::scene::{Source, spawn};
+use archetrace::study::Setting;
 use archetrace::systems::{Frame, Muted, Workers, frame_schedule, prepare};
 use archetrace::viewer::RenderCommand;
 use bevy_ecs::prelude::*;
@@ -30,15 +31,7 @@ fn turned_pose(seed: u64) -> CameraPose {
 }
 
 fn command<'a>(scene: &'a Path, output: &'a Path, pose: &'a CameraPose) -> RenderCommand<'a> {
-    RenderCommand {
-        scene,
-        output,
-        pose,
-        sampling: Sampling::default(),
-        precision: Precision::F64,
-        muted: EffectSet::NONE,
-        texture: &[],
-    }
+    RenderCommand { scene, output, pose, setting: None, muted: EffectSet::NONE, texture: &[] }
 }
 
 /// Runs the line in a shell, with the program's name replaced by its place.
@@ -83,14 +76,24 @@ fn what_differs_from_the_scene_is_in_the_line() {
     let pose = turned_pose(31);
     let sampling = Sampling { side: 3 };
     let muted = EffectSet::of(&[Effect::Mirror, Effect::Falloff]);
-    let with_everything = RenderCommand {
-        sampling,
-        muted,
+    let setting = Setting {
+        side: 3,
+        threshold: None,
+        level: 2,
+        cutoff: 0.0,
         precision: Precision::F32,
+        checker_filter: false,
+        texture_filter: None,
+        light_samples: None,
+        pixels: 40,
+    };
+    let with_everything = RenderCommand {
+        setting: Some(setting),
+        muted,
         ..command(Path::new("scene.txt"), Path::new("out.bmp"), &pose)
     };
     run(&folder, &with_everything);
-    let expected = picture::<f32>(&pose, Snapshot { pixels: 32, level: 3 }, sampling, muted);
+    let expected = picture::<f32>(&pose, Snapshot { pixels: 40, level: 2 }, sampling, muted);
     assert!(folder.read("out.bmp") == expected);
 }
 

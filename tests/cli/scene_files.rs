@@ -1,8 +1,7 @@
-//! Scene files that cannot be used: status 1, quickly, with one clear message, and no picture.
+//! Scene files that cannot be used: status 1, quickly, in little memory, with one clear message, and no picture.
 
 use std::fs::File;
 use std::process::Command;
-use std::time::{Duration, Instant};
 
 use crate::program::{Folder, Run, SCENE};
 
@@ -11,14 +10,18 @@ fn commands(scene: &str) -> [String; 3] {
     [format!("check {scene}"), format!("write {scene} -o out.txt"), format!("render {scene} -o out.bmp")]
 }
 
+/// Runs the program with so many kilobytes of address space and ten seconds of processor time: whatever else the machine
+/// does, no more is taken.
+fn bounded(folder: &Folder, kilobytes: u32, arguments: &str) -> Run {
+    folder.bash(&format!("ulimit -v {kilobytes}; ulimit -t 10; exec $P {arguments}"))
+}
+
 /// Runs every command on a scene that is no file; each must say so in one line that ends like this.
 fn refused_by_all(folder: &Folder, scene: &str, reason: &str) {
     let before = folder.names();
     for command in commands(scene) {
-        let start = Instant::now();
-        let line = folder.run(&command).refusal();
+        let line = bounded(folder, 1_000_000, &command).refusal();
         assert_eq!(line, format!("error: cannot read {scene}: {reason}"), "{command}");
-        assert!(start.elapsed() < Duration::from_secs(5), "{command}");
     }
     assert_eq!(folder.names(), before);
 }
@@ -66,7 +69,7 @@ fn a_hundred_megabytes_that_are_no_scene_are_refused_in_bounded_memory() {
     let noise: Vec<u8> = (0..100_000_000).map(noise).collect();
     for content in [noise, b"1 ".repeat(50_000_000)] {
         folder.put("large.txt", content);
-        let run = folder.bash("ulimit -v 1000000; exec $P render large.txt -o out.bmp");
+        let run = bounded(&folder, 1_000_000, "render large.txt -o out.bmp");
         assert_eq!(run.code, Some(1));
         assert!(run.stderr.starts_with("error: "), "{}", &run.stderr[..200]);
         assert!(run.stderr.len() < 20_000);
@@ -132,7 +135,7 @@ fn absurd_counts_cost_no_memory() {
     ] {
         folder.put("scene.txt", content);
         // 200 MB of address space is enough to say no.
-        let run = folder.bash("ulimit -v 200000; exec $P render scene.txt -o out.bmp");
+        let run = bounded(&folder, 200_000, "render scene.txt -o out.bmp");
         assert_eq!(run.code, Some(1), "{run:?}");
         assert!(run.stderr.contains(place), "{content}: {run:?}");
     }

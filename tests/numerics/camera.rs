@@ -7,8 +7,8 @@ use glam::DVec3;
 
 use crate::oracle::{Exact, ExactVector, exact, magnitude, nearest, relative_error};
 use crate::precision::{Precision, bits};
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 const LENS: Lens = Lens { near: 1.0, far: 1000.0, fovy: 60.0, aspect: 1.0 };
 

@@ -5,8 +5,8 @@ use glam::DVec3;
 
 use crate::camera::skew;
 use crate::oracle::{Exact, ExactVector, exact, nearest, sine_cosine};
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 type Basis = [DVec3; 3];
 type Turn = fn(Basis, f64) -> Option<Basis>;

@@ -7,8 +7,8 @@ use glam::DVec3;
 use crate::camera::skew;
 use crate::camera_moves::{AXES, error, of, random_basis};
 use crate::oracle::{Exact, ExactVector, exact, magnitude, nearest};
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 /// The rotation that takes one unit vector to another along the shortest way, exactly (Rodrigues).
 fn shortest(from: &ExactVector, to: &ExactVector, v: &ExactVector) -> ExactVector {

@@ -4,7 +4,7 @@ use archetrace::effects::cell_point;
 
 use crate::oracle::{Exact, exact, floor_is_odd, magnitude, nearest};
 use crate::precision::Precision;
-use crate::random::Random;
+use archetrace::selfcheck::Random;
 
 /// Whether the column of `x` is odd: with y in row 0 the cell is then black.
 fn is_odd<T: Precision>(x: T, cell: T) -> bool {

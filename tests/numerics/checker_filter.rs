@@ -5,8 +5,8 @@ use archetrace::geometry::{Real, Vector};
 
 use crate::oracle::{Exact, exact, magnitude, nearest};
 use crate::precision::Precision;
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 /// The length of white cells 0 to 1, 2 to 3, ... in an interval, less that of black ones, exactly: cell by cell.
 fn white_less_black(from: &Exact, to: &Exact) -> Exact {
@@ -32,11 +32,12 @@ fn exact_share(middle: [f64; 2], widths: [f64; 2]) -> Exact {
     (Exact::ONE + x * y) / Exact::from(2)
 }
 
-fn check<T: Precision>(seed: u64) {
+/// Areas about points up to so many cells from the origin.
+fn check<T: Precision>(cells: f64, seed: u64) {
     let mut worst = Worst::new(&format!("checker filter, {}", T::NAME));
     for number in 0..20_000 {
         let random = &mut Random::new(seed + number);
-        let middle = [0, 1].map(|_| T::from_f64(random.between(-20.0, 20.0)));
+        let middle = [0, 1].map(|_| T::from_f64(random.between(-cells, cells)));
         let widths = [0, 1].map(|_| T::from_f64(random.magnitude(-3.0, 1.5)));
         let found = white_share(cell_point(middle[0], middle[1], T::ONE), widths);
         let truth = exact_share(middle.map(T::to_f64), widths.map(T::to_f64));
@@ -49,12 +50,18 @@ fn check<T: Precision>(seed: u64) {
 
 #[test]
 fn the_share_of_white_is_the_area_of_white_f64() {
-    check::<f64>(0xCF_0001_0000);
+    check::<f64>(20.0, 0xCF_0001_0000);
 }
 
 #[test]
 fn the_share_of_white_is_the_area_of_white_f32() {
-    check::<f32>(0xCF_0002_0000);
+    check::<f32>(20.0, 0xCF_0002_0000);
+}
+
+#[test]
+fn c12_ten_thousand_cells_away_the_share_keeps_its_digits_f32() {
+    check::<f32>(1e4, 0xCF_0004_0000);
+    check::<f32>(1e6, 0xCF_0005_0000);
 }
 
 #[test]

@@ -7,8 +7,8 @@ use glam::DVec3;
 use crate::oracle::{Ball, Body, Exact, ExactRay, ExactVector, exact, magnitude, nearest, relative_error};
 use crate::precision::{Precision, ray};
 use crate::pyramid::Pyramid;
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 /// A body that a test can start rays from.
 trait Start<T: Precision> {

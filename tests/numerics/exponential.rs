@@ -4,8 +4,8 @@ use archetrace::geometry::Real as _;
 
 use crate::oracle::{exact, from_long, long, nearest, relative_error};
 use crate::precision::Precision;
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 /// Every normal result to 1 ulp; what underflows is rounded to what numbers there are.
 fn check_exp<T: Precision>(largest: f64, seed: u64) {

@@ -5,8 +5,8 @@ use archetrace::effects::attenuation;
 
 use crate::oracle::{exact, from_long, long, nearest, relative_error};
 use crate::precision::Precision;
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 #[test]
 fn l01_at_the_light_nothing_is_lost() {

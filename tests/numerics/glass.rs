@@ -5,7 +5,7 @@ use archetrace::geometry::{Real, Vector};
 use glam::DVec3;
 
 use crate::precision::bits;
-use crate::random::Random;
+use archetrace::selfcheck::Random;
 
 /// A ray that meets the plane z = 0 from above at an angle in radians.
 fn ray(angle: f64, turn: f64) -> DVec3 {

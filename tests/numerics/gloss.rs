@@ -7,8 +7,8 @@ use glam::DVec3;
 
 use crate::oracle::{ExactVector, exact, from_long, long, nearest};
 use crate::precision::Precision;
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 /// The highlight for vectors at this cosine from each other.
 fn at<T: Precision>(cosine: f64, shininess: f64) -> T {

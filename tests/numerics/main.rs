@@ -31,7 +31,6 @@ mod oracle_itself;
 mod plane;
 mod precision;
 mod pyramid;
-mod random;
 mod selfcheck;
 mod sphere;
 mod spot;

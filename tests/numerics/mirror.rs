@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use crate::oracle::{ExactVector, exact, nearest, small_angle};
 use crate::precision::{Precision, bits};
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 #[test]
 fn straight_and_slanted_reflections_are_exact() {

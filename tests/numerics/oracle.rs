@@ -285,11 +285,6 @@ impl Body {
     pub(crate) fn meet(&self, ray: &ExactRay) -> Option<Meeting> {
         self.chord(ray)?.first_ahead()
     }
-
-    /// Whether the line of a ray has a point in the body at or behind its origin, or ahead of it.
-    pub(crate) fn meets_line(&self, ray: &ExactRay) -> bool {
-        self.chord(ray).is_some_and(|chord| !chord.is_empty())
-    }
 }
 
 /// A ball.

@@ -5,8 +5,8 @@ use glam::DVec3;
 
 use crate::oracle::{Exact, ExactRay, ExactVector, HalfSpace, exact, magnitude, nearest, relative_error};
 use crate::precision::{Precision, bits, ray};
-use crate::random::Random;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 const GROUND: PlaneShape<f64> = PlaneShape { height: 0.0 };
 

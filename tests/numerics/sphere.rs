@@ -6,9 +6,9 @@ use glam::DVec3;
 
 use crate::oracle::{Ball, Exact, ExactRay, ExactVector, decimal, nearest, relative_error};
 use crate::precision::{Precision, ray};
-use crate::random::Random;
 use crate::textbook;
 use crate::worst::Worst;
+use archetrace::selfcheck::Random;
 
 /// Asked of `t` and of the normal, in epsilons, where the ray does not graze.
 const BOUND: f64 = 4.0;
@@ -16,6 +16,7 @@ const BOUND: f64 = 4.0;
 const GRAZING: f64 = 0.312;
 
 /// Origin, direction, centre, radius and the expected `t` (`""` for a miss) of a case.
+#[derive(Clone)]
 struct Case {
     id: &'static str,
     origin: [f64; 3],
@@ -145,6 +146,18 @@ fn check_cases(name: &str, cases: &[Case]) {
     let mut surface = Surface::new(name);
     for case in cases {
         check_case(case, &mut worst, &mut surface);
+    }
+}
+
+#[test]
+fn the_truths_are_those_of_exact_fractions() {
+    let cases = [far_cases(), planet_cases(), tangent_cases(), inside_cases()].concat();
+    for case in cases.iter().filter(|case| !case.t.is_empty()) {
+        let ball = Ball::of::<f64>(Vector::from_dvec3(case.center.into()), case.radius);
+        let truth = ball.meet(&ExactRay::of(&ray::<f64>(case.origin.into(), case.direction.into()))).unwrap();
+        assert_eq!(truth.side, case.side, "{}", case.id);
+        let off = nearest(&((decimal(case.t) - &truth.t) / &truth.t)).abs();
+        assert!(off < 1e-23, "{}: {off:e}", case.id);
     }
 }
 
@@ -286,7 +299,7 @@ impl Ends {
     /// half the chord comes from `m` itself, whose error counts `m / half` times: `1.5 D / half`.
     fn bound(&self) -> f64 {
         let half = self.half();
-        let is_near = half * half * 2.0 > self.middle * self.middle;
+        let is_near = 2.0 * self.middle * self.middle < 1.0 - half * half;
         let across = if is_near { self.middle } else { 1.0 };
         BOUND.max(1.5 * self.distance / (self.middle + half) * (1.0 + across / half))
     }

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::oracle::{Exact, ExactVector, exact, nearest, sine_cosine};
 use crate::precision::Precision;
-use crate::random::Random;
+use archetrace::selfcheck::Random;
 
 fn cone<T: Precision>(axis: DVec3, cutoff: f64) -> Cone<T> {
     Cone::new(Vector::from_dvec3(axis), cutoff)

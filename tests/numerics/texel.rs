@@ -3,7 +3,7 @@
 use archetrace::effects::{cell_point, texel_index};
 
 use crate::precision::Precision;
-use crate::random::Random;
+use archetrace::selfcheck::Random;
 
 fn check<T: Precision>(seed: u64) {
     for size in [1, 2, 3, 7, 255, 256, 8192] {

@@ -4,7 +4,7 @@ use archetrace::components::Texture;
 use archetrace::effects::{MipChain, Rgb, bilinear_color, texel_index};
 use archetrace::geometry::Real;
 
-use crate::random::Random;
+use archetrace::selfcheck::Random;
 
 fn noise(seed: u64, width: u32, height: u32) -> Texture {
     let random = &mut Random::new(seed);

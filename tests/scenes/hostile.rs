@@ -6,13 +6,13 @@ use archetrace::scene::{MAX_BYTES, Source};
 
 use crate::sample::{Kind, kinds, place, refused, sample_with, words};
 
-/// The error text of a file, which must come quickly.
+/// The error text of a file, which must come quickly: what is not linear in megabytes takes hours.
 fn refusal(text: &str) -> String {
     let source = Source::new("hostile.txt", text);
     let start = Instant::now();
     let error = source.load().unwrap_err().to_string();
     let taken = start.elapsed();
-    assert!(taken < Duration::from_secs(2), "took {taken:?}");
+    assert!(taken < Duration::from_secs(60), "took {taken:?}");
     error
 }
 

@@ -8,6 +8,7 @@ mod plane;
 mod pyramid;
 mod sphere;
 
+use super::clip::is_close;
 use super::{Convex, Crossing, Ray, Real, Side, SurfacePoint};
 
 /// A crossing, or none, in plain numbers.
@@ -19,6 +20,8 @@ pub struct Meeting<T> {
     pub face: u32,
     /// Whether the ray comes from within the body.
     pub inside: bool,
+    /// Whether rounding cannot tell if the ray meets anything: [`Convex::intersect`] can. `t` is NaN then.
+    pub unsure: bool,
 }
 
 /// What a shape answers without branches.
@@ -26,8 +29,16 @@ pub trait Straight<T: Real>: Convex<T> {
     /// Whether [`meet`](Self::meet) is worth computing: false only where it finds nothing.
     fn may_meet(&self, ray: &Ray<T>) -> bool;
 
-    /// [`Convex::intersect`].
+    /// [`Convex::intersect`], unless unsure.
     fn meet(&self, ray: &Ray<T>) -> Meeting<T>;
+
+    /// [`Convex::intersect`] by way of [`meet`](Self::meet).
+    #[inline(always)]
+    fn meet_surely(&self, ray: &Ray<T>) -> Meeting<T> {
+        let meeting = self.meet(ray);
+        let found = if meeting.unsure { self.intersect(ray) } else { None };
+        found.map_or(meeting, Meeting::from)
+    }
 
     /// [`Convex::locate`], for lengths within [`Real::LENGTH_LIMIT`].
     fn surface(&self, ray: &Ray<T>, meeting: &Meeting<T>) -> SurfacePoint<T>;
@@ -44,7 +55,8 @@ impl<T: Real> Meeting<T> {
 
 impl<T: Real> From<Crossing<T>> for Meeting<T> {
     fn from(crossing: Crossing<T>) -> Self {
-        Self { t: crossing.t, face: crossing.face.into(), inside: crossing.side == Side::Inside }
+        let inside = crossing.side == Side::Inside;
+        Self { t: crossing.t, face: crossing.face.into(), inside, unsure: false }
     }
 }
 
@@ -84,7 +96,8 @@ impl<T: Real> Span<T> {
         let t = if outside { self.enter } else { self.leave };
         let face = if outside { self.enter_face } else { self.leave_face };
         let is_empty = self.outside | (self.enter > self.leave);
-        let meets = !is_empty & (t > T::ZERO) & (t < T::INFINITY);
-        Meeting { t: if meets { t } else { T::NAN }, face, inside: !outside }
+        let unsure = is_close(self.enter, self.leave) & !self.outside;
+        let meets = !is_empty & !unsure & (t > T::ZERO) & (t < T::INFINITY);
+        Meeting { t: if meets { t } else { T::NAN }, face, inside: !outside, unsure }
     }
 }

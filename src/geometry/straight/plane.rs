@@ -16,7 +16,7 @@ impl<T: Real> Straight<T> for PlaneShape<T> {
     fn meet(&self, ray: &Ray<T>) -> Meeting<T> {
         let t = (self.height - ray.origin.z) / ray.direction.z;
         let meets = (t > T::ZERO) & (t < T::INFINITY);
-        Meeting { t: if meets { t } else { T::NAN }, face: 0, inside: false }
+        Meeting { t: if meets { t } else { T::NAN }, face: 0, inside: false, unsure: false }
     }
 
     #[inline(always)]

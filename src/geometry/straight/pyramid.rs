@@ -69,7 +69,8 @@ impl<T: Real> Straight<T> for PyramidShape<T> {
         let room = if along_x { low_room } else { high_room };
         let is_side = meeting.face < u32::from(BASE);
         let leaves = meeting.inside & is_side & (room <= self.side_rounding(ray, along_x));
-        Meeting { t: if leaves { T::NAN } else { meeting.t }, ..meeting }
+        let unsure = meeting.unsure | self.is_along_side(ray, [slope_0, slope_1, slope_2, slope_3]);
+        Meeting { t: if leaves | unsure { T::NAN } else { meeting.t }, unsure, ..meeting }
     }
 
     #[inline(always)]

@@ -23,7 +23,7 @@ impl<T: Real> Straight<T> for SphereShape<T> {
         let chord = self.chord(ray);
         let c = square_excess(chord.offset, chord.offset_error, self.radius);
         let leaves = (chord.h < T::ZERO) & (c < T::ZERO) & (-c <= self.surface_rounding());
-        let q = chord.h + chord.discriminant(c).sqrt().copysign(chord.h);
+        let q = chord.h + chord.discriminant(c, self.radius).sqrt().copysign(chord.h);
         let (c_root, q_root) = (c / q, q / chord.a);
         let ahead = chord.h > T::ZERO;
         let near = if ahead { c_root } else { q_root };
@@ -32,7 +32,7 @@ impl<T: Real> Straight<T> for SphereShape<T> {
         let t = if outside { near } else { far };
         let passes_by = chord.half_squared < T::ZERO;
         let meets = !leaves & !passes_by & (t > T::ZERO) & (t < T::INFINITY);
-        Meeting { t: if meets { t } else { T::NAN }, face: 0, inside: !outside }
+        Meeting { t: if meets { t } else { T::NAN }, face: 0, inside: !outside, unsure: false }
     }
 
     #[inline(always)]

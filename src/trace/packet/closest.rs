@@ -33,7 +33,20 @@ impl FaceCode {
 
     #[inline(always)]
     pub(super) fn meeting<T: Real>(code: u32, t: T) -> Meeting<T> {
-        Meeting { t, face: code & (Self::INSIDE - 1), inside: code & Self::INSIDE != 0 }
+        Meeting { t, face: code & (Self::INSIDE - 1), inside: code & Self::INSIDE != 0, unsure: false }
+    }
+}
+
+impl<T: Real> HitLanes<T> {
+    /// Takes a crossing with an object if it is nearer, or as near and comes first.
+    fn take(&mut self, tables: &SceneTables<T>, lane: usize, name: u32, crossing: Option<Crossing<T>>) {
+        let Some(crossing) = crossing else { return };
+        let is_tie = crossing.t == self.t[lane];
+        if crossing.t < self.t[lane] || (is_tie && comes_first(tables, name, self.name[lane])) {
+            self.t[lane] = crossing.t;
+            self.name[lane] = name;
+            self.face[lane] = FaceCode::of(&Meeting::from(crossing));
+        }
     }
 }
 
@@ -94,11 +107,12 @@ fn test<T: Real>(
     rays: &RayLanes<'_, T>,
     hits: &mut HitLanes<T>,
 ) {
-    let mut any_tie = false;
+    let (mut any_tie, mut any_unsure) = (false, false);
     for lane in 0..LANES {
         let met = shape.meet(&rays.get(lane));
         let t = met.t;
         let counts = rays.start.departed[lane] != name;
+        any_unsure |= counts & met.unsure;
         let nearer = counts & (t < hits.t[lane]);
         any_tie |= counts & (t == hits.t[lane]);
         hits.t[lane] = if nearer { t } else { hits.t[lane] };
@@ -107,6 +121,9 @@ fn test<T: Real>(
     }
     if any_tie {
         settle_ties(tables, shape, name, rays, hits);
+    }
+    if any_unsure {
+        settle_unsure(tables, shape, name, rays, hits);
     }
 }
 
@@ -130,19 +147,30 @@ fn settle_ties<T: Real>(
     }
 }
 
+/// Gives a shape those lanes in which rounding cannot tell whether it is met, if it is, and nearer or first.
+#[cold]
+#[inline(never)]
+fn settle_unsure<T: Real>(
+    tables: &SceneTables<T>,
+    shape: &impl Straight<T>,
+    name: u32,
+    rays: &RayLanes<'_, T>,
+    hits: &mut HitLanes<T>,
+) {
+    for lane in 0..LANES {
+        let ray = rays.get(lane);
+        if rays.start.departed[lane] != name && shape.meet(&ray).unsure {
+            hits.take(tables, lane, name, shape.intersect(&ray));
+        }
+    }
+}
+
 /// Rays that started into an object leave it.
 #[cold]
 #[inline(never)]
 fn leave<T: Real>(tables: &SceneTables<T>, rays: &RayLanes<T>, hits: &mut HitLanes<T>) {
     for lane in 0..LANES {
-        let Some(crossing) = exit_of(tables, rays, lane) else { continue };
-        let name = rays.start.departed[lane];
-        let is_tie = crossing.t == hits.t[lane];
-        if crossing.t < hits.t[lane] || (is_tie && comes_first(tables, name, hits.name[lane])) {
-            hits.t[lane] = crossing.t;
-            hits.name[lane] = name;
-            hits.face[lane] = FaceCode::of(&Meeting::from(crossing));
-        }
+        hits.take(tables, lane, rays.start.departed[lane], exit_of(tables, rays, lane));
     }
 }
 

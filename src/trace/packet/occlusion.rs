@@ -5,7 +5,7 @@ use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 use super::bounds::{Candidates, Rows};
 use super::closest::exit_of;
-use super::lanes::{LANES, RayLanes, Reach, nowhere};
+use super::lanes::{LANES, RayLanes, Reach, any, nowhere};
 use super::trees::{Scratch, block_tree};
 
 /// [`is_occluded`](crate::trace::is_occluded) for every lane: those that are become idle.
@@ -66,14 +66,38 @@ fn test<T: Real>(
     segments: &RayLanes<'_, T>,
     reach: &mut Reach<T>,
 ) -> bool {
-    let mut any_left = false;
+    let (mut any_left, mut any_unsure) = (false, false);
     for lane in 0..LANES {
-        let t = shape.meet(&segments.get(lane)).t;
-        let blocks = (segments.start.departed[lane] != name) & (t < reach[lane]);
+        let met = shape.meet(&segments.get(lane));
+        let counts = segments.start.departed[lane] != name;
+        any_unsure |= counts & met.unsure;
+        let blocks = counts & (met.t < reach[lane]);
         reach[lane] = if blocks { nowhere() } else { reach[lane] };
         any_left |= reach[lane] > T::ZERO;
     }
+    if any_unsure {
+        return settle_unsure(shape, name, segments, reach);
+    }
     any_left
+}
+
+/// Lets a shape hide the lights of lanes in which rounding cannot tell whether it is met. Whether any lane is left.
+#[cold]
+#[inline(never)]
+fn settle_unsure<T: Real>(
+    shape: &impl Straight<T>,
+    name: u32,
+    segments: &RayLanes<'_, T>,
+    reach: &mut Reach<T>,
+) -> bool {
+    for lane in 0..LANES {
+        let segment = segments.get(lane);
+        let is_unsure = segments.start.departed[lane] != name && shape.meet(&segment).unsure;
+        if is_unsure && shape.intersect(&segment).is_some_and(|crossing| crossing.t < reach[lane]) {
+            reach[lane] = nowhere();
+        }
+    }
+    any(|lane| reach[lane] > T::ZERO)
 }
 
 #[cold]

@@ -48,7 +48,7 @@ pub(super) fn search_tree<T: Real, C>(
                 let row = ObjectId::unpacked(nearest.name).row;
                 hits.t[lane] = nearest.t;
                 hits.name[lane] = nearest.name;
-                hits.face[lane] = FaceCode::of(&table.shapes.shape(row as usize).meet(&ray));
+                hits.face[lane] = FaceCode::of(&table.shapes.shape(row as usize).meet_surely(&ray));
             }
         }
     }

@@ -204,16 +204,39 @@ fn test<T: Real, S: Packed<T>>(
         return;
     }
     let mut found = [T::ZERO; WIDTH];
-    let mut bits = 0;
+    let (mut bits, mut unsure) = (0, 0);
     let reach = search.reach();
     for (slot, found) in found.iter_mut().enumerate() {
-        let t = S::unpack(&leaf.block, slot).meet(&ray.ray).t;
-        *found = t;
-        bits |= u32::from((t <= reach) & (leaf.rows[slot] != departed)) << slot;
+        let met = S::unpack(&leaf.block, slot).meet(&ray.ray);
+        let counts = leaf.rows[slot] != departed;
+        *found = met.t;
+        bits |= u32::from((met.t <= reach) & counts) << slot;
+        unsure |= u32::from(met.unsure & counts) << slot;
     }
     while bits != 0 {
         let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
         bits &= bits - 1;
         search.meet(leaf.rows[slot], found[slot]);
+    }
+    if unsure != 0 {
+        settle::<T, S>(leaf, ray, unsure, search);
+    }
+}
+
+/// Tells a search of those rows of which rounding could not tell whether they are met, if they are.
+#[cold]
+#[inline(never)]
+fn settle<T: Real, S: Packed<T>>(
+    leaf: &Leaf<S::Block>,
+    ray: &TreeRay<T>,
+    unsure: u32,
+    search: &mut impl TreeSearch<T>,
+) {
+    for slot in (0..WIDTH).filter(|slot| unsure >> slot & 1 == 1) {
+        if let Some(crossing) = S::unpack(&leaf.block, slot).intersect(&ray.ray)
+            && crossing.t <= search.reach()
+        {
+            search.meet(leaf.rows[slot], crossing.t);
+        }
     }
 }

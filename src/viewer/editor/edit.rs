@@ -48,7 +48,7 @@ impl<C: Component + Clone + PartialEq> Edit for ComponentEdit<C> {
 }
 
 /// An entity that the scene's own systems have despawned is left alone.
-fn put<C: Component + Clone>(world: &mut World, entity: Entity, value: Option<&C>) {
+pub(super) fn put<C: Component + Clone>(world: &mut World, entity: Entity, value: Option<&C>) {
     if let Ok(mut entity) = world.get_entity_mut(entity) {
         match value {
             Some(value) => entity.insert(value.clone()),
@@ -81,7 +81,7 @@ impl<R: Resource + Clone + PartialEq> Edit for ResourceEdit<R> {
     }
 }
 
-fn set<R: Resource + Clone>(world: &mut World, value: Option<&R>) {
+pub(super) fn set<R: Resource + Clone>(world: &mut World, value: Option<&R>) {
     match value {
         Some(value) => world.insert_resource(value.clone()),
         None => drop(world.remove_resource::<R>()),

@@ -2,6 +2,7 @@
 //!
 //! An edit goes through the World and change detection does the rest: nothing here knows tables or pictures.
 
+mod accuracy;
 mod add;
 mod edit;
 mod history;
@@ -22,6 +23,7 @@ use crate::systems::Muted;
 use edit::{ComponentEdit, Presence, ResourceEdit};
 use history::{History, Step};
 
+pub(crate) use accuracy::{Traced, accuracy, own_level};
 pub(crate) use add::New;
 pub(crate) use place::significant;
 

@@ -1,10 +1,17 @@
 use std::sync::mpsc::{self, Receiver};
+use std::time::Instant;
+
+use bevy_ecs::prelude::*;
 
 use crate::components::Precision::{self, F32, F64};
 
 use super::super::test_views::{heavy, official, rendered, view, workers};
 use super::super::traced_view::SharedTables;
 use super::*;
+use crate::components::{Adaptive, Cutoff};
+use crate::film::Film;
+use crate::study::{Difference, ERROR_LEVELS, false_color};
+use crate::trace::SampleGrid;
 
 const LONG: Duration = Duration::from_secs(60);
 const SIDE: u32 = 100;
@@ -50,12 +57,16 @@ impl Drop for Stepped {
     }
 }
 
+fn wanted(view: TracedView, side: u32, samples: Samples) -> LiveRequest {
+    LiveRequest { view, side, samples, shows: Shows::Picture }
+}
+
 fn request(precision: Precision, side: u32, grid: u32) -> LiveRequest {
-    LiveRequest { view: view(&mut official(), precision), side, grid: SampleGrid::new(grid) }
+    wanted(view(&mut official(), precision), side, Samples::of(SampleGrid::new(grid)))
 }
 
 fn heavy_request() -> LiveRequest {
-    LiveRequest { view: view(&mut heavy(), F64), side: 1024, grid: SampleGrid::new(3) }
+    wanted(view(&mut heavy(), F64), 1024, Samples::of(SampleGrid::new(3)))
 }
 
 /// The picture must be what `render` makes at this size with `grid` by `grid` samples.
@@ -119,9 +130,98 @@ fn a_grid_without_a_centre_shows_the_centre_first_all_the_same() {
 #[test]
 fn one_sample_is_enough_if_no_more_are_asked_for() {
     let shown = Stepped::new().all(request(F64, SIDE, 1));
-    assert_eq!(shown.len(), 2);
-    assert!(shown[1].is_final);
+    assert_eq!(shown.len(), 3);
+    // The same again, when its error is known.
+    assert_eq!([shown[1].is_final, shown[2].is_final], [false, true]);
     assert_rendered(&shown[1], F64, SIDE, 1);
+    assert_rendered(&shown[2], F64, SIDE, 1);
+}
+
+/// With samples where they matter, and without faint rays.
+fn choosy() -> World {
+    let mut world = official();
+    world.insert_resource(Adaptive { threshold: 1.0 / 64.0 });
+    world.insert_resource(Cutoff(0.05));
+    world
+}
+
+#[test]
+fn adaptive_samples_and_a_cutoff_give_what_render_gives() {
+    for (grid, precision) in [(3, F64), (4, F32)] {
+        let samples = Samples { grid: SampleGrid::new(grid), threshold: Some(1.0 / 64.0) };
+        let shown = Stepped::new().all(wanted(view(&mut choosy(), precision), SIDE, samples));
+        let (film, counts) = rendered(choosy(), precision, SIDE, grid);
+        assert_eq!(shown.len(), 3, "coarse, one sample, all of them");
+        assert!(shown[2].rgb8 == film.to_rgb8(), "{grid} by {grid}");
+        assert_eq!(shown[2].counts, counts);
+        let all = u64::from(SIDE * SIDE * grid * grid);
+        assert!((all / 10..all).contains(&counts.rays.primary), "{counts:?}");
+    }
+}
+
+/// The official scene traced so finely that what is left is far below the errors that are estimated.
+fn truth() -> Film {
+    rendered(official(), F64, SIDE, 17).0
+}
+
+#[test]
+fn the_estimated_error_is_right_within_a_factor_of_two() {
+    let truth = truth();
+    for grid in [1, 2, 3, 5] {
+        let shown = Stepped::new().all(request(F64, SIDE, grid));
+        let estimated = shown[shown.len() - 1].error.unwrap();
+        let (film, _) = rendered(official(), F64, SIDE, grid);
+        let real = Difference::between(&film, &truth).unwrap().rmse;
+        assert!((0.5..2.0).contains(&(estimated / real)), "{grid} by {grid}: {estimated} for {real}");
+    }
+}
+
+#[test]
+fn the_error_of_adaptive_samples_is_right_within_a_factor_of_two() {
+    let truth = truth();
+    for threshold in [1.0 / 16.0, 1.0 / 64.0] {
+        let mut world = official();
+        world.insert_resource(Adaptive { threshold });
+        let samples = Samples { grid: SampleGrid::new(5), threshold: Some(threshold) };
+        let shown = Stepped::new().all(wanted(view(&mut world, F64), SIDE, samples));
+        let estimated = shown[shown.len() - 1].error.unwrap();
+        let (film, _) = rendered(world, F64, SIDE, 5);
+        let real = Difference::between(&film, &truth).unwrap().rmse;
+        assert!((0.5..2.0).contains(&(estimated / real)), "{threshold}: {estimated} for {real}");
+    }
+}
+
+fn heat_map(world: &mut World, samples: Samples, shows: Shows) -> Shown {
+    let what = LiveRequest { view: view(world, F64), side: SIDE, samples, shows };
+    let all = Stepped::new().all(what);
+    assert!(all.iter().all(|shown| shown.shows == shows), "no picture comes in between");
+    all.into_iter().next_back().unwrap()
+}
+
+#[test]
+fn the_rays_of_each_pixel_are_those_of_its_column() {
+    // At level 1 every pixel that shows an object takes one ray more for each light, and the sky none.
+    let mut world = official();
+    world.resource_mut::<crate::components::Snapshot>().level = 1;
+    let samples = Samples::of(SampleGrid::new(2));
+    let shown = heat_map(&mut world, samples, Shows::Rays);
+    let sky = false_color(4.0 / shown.most);
+    assert_eq!(shown.rgb8[..3], sky, "four camera rays and no other in the upper left corner");
+    let lights = world.query::<&crate::components::Light>().iter(&world).count();
+    let most = f64::from(u32::try_from(lights).unwrap() + 1) * 4.0;
+    assert!(shown.most <= most && shown.most > 4.0, "{} of {most}", shown.most);
+    assert!(shown.rgb8.as_chunks::<3>().0.contains(&false_color(1.0)));
+}
+
+#[test]
+fn errors_are_dark_where_all_samples_agree() {
+    let mut world = official();
+    let shown = heat_map(&mut world, Samples::of(SampleGrid::new(3)), Shows::Errors);
+    assert_eq!((shown.side, shown.most), (SIDE, ERROR_LEVELS));
+    let pixels = shown.rgb8.as_chunks::<3>().0;
+    assert_eq!(pixels[0], false_color(0.0), "the sky");
+    let bright = pixels.iter().filter(|&&pixel| pixel != false_color(0.0)).count();
+    assert!((pixels.len() / 20..pixels.len()).contains(&bright), "{bright} of {}", pixels.len());
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! It looks at the World and edits it through the [`Editor`]; whatever else is asked of the program it returns as
 //! [`Request`]s. It knows no window: `egui` hands it events and takes its shapes.
 
+mod accuracy;
 mod camera;
 mod components;
 mod digits;
@@ -17,6 +18,7 @@ mod picture;
 mod save;
 mod scene;
 mod status;
+mod strip;
 mod theme;
 
 #[cfg(test)]
@@ -38,6 +40,7 @@ pub(crate) use name::name_of;
 pub(crate) use overlay::show_overlay;
 pub(crate) use save::unused_name;
 pub(crate) use status::{Request, Status};
+pub(crate) use strip::show_strip;
 pub(crate) use theme::apply as apply_theme;
 
 /// Width of the panel in points: at first, and between which bounds it can be dragged.

@@ -1,29 +1,18 @@
 //! The traced picture: what it shows, and how well.
 
-use core::ops::RangeInclusive;
-
 use egui::{ProgressBar, Ui};
 
-use crate::components::range::{MAX_GRID, MAX_LEVEL, MAX_PIXELS};
-use crate::components::{Sampling, Snapshot};
-
-use super::Panel;
-use super::fields::{row, whole};
+use super::fields::row;
 use super::status::Request;
-use crate::components::Precision;
+use super::{Panel, accuracy};
 use crate::preview::Layout;
+use crate::viewer::live::Shows;
 
 pub(super) fn show(ui: &mut Ui, panel: &mut Panel<'_>) {
     modes(ui, panel);
-    settings(ui, panel);
+    maps(ui, panel);
+    accuracy::show(ui, panel);
     let status = panel.status;
-    row(ui, "precision", "of every number that is traced", |ui| {
-        for (precision, name) in [(Precision::F64, "f64"), (Precision::F32, "f32")] {
-            if ui.selectable_label(status.precision == precision, name).clicked() {
-                panel.ask(Request::SetPrecision(precision));
-            }
-        }
-    });
     row(ui, "texture", "images on the checkerboard (space)", |ui| {
         let mut is_on = status.texture;
         if ui.checkbox(&mut is_on, "").changed() {
@@ -31,6 +20,18 @@ pub(super) fn show(ui: &mut Ui, panel: &mut Panel<'_>) {
         }
     });
     to_file(ui, panel);
+}
+
+fn maps(ui: &mut Ui, panel: &mut Panel<'_>) {
+    let all = [(Shows::Picture, "picture"), (Shows::Errors, "errors"), (Shows::Rays, "rays")];
+    let now = panel.status.shows;
+    row(ui, "as", "the traced picture, its estimated errors, or its rays per pixel (h)", |ui| {
+        for (shows, name) in all {
+            if ui.selectable_label(now == shows, name).clicked() {
+                panel.ask(Request::SetShows(shows));
+            }
+        }
+    });
 }
 
 fn modes(ui: &mut Ui, panel: &mut Panel<'_>) {
@@ -43,30 +44,6 @@ fn modes(ui: &mut Ui, panel: &mut Panel<'_>) {
             }
         }
     });
-}
-
-fn settings(ui: &mut Ui, panel: &mut Panel<'_>) {
-    let before = panel.world.get_resource::<Snapshot>().copied().unwrap_or_default();
-    let mut snapshot = before;
-    whole_row(ui, "pixels", "along each side of a picture in a file", &mut snapshot.pixels, 1..=MAX_PIXELS);
-    let hover = "rays that may follow each other: 0 is black, 1 has no mirror image";
-    whole_row(ui, "level", hover, &mut snapshot.level, 0..=MAX_LEVEL);
-    if snapshot != before {
-        panel.editor.change_setting(panel.world, snapshot);
-    }
-    let before = panel.world.get_resource::<Sampling>().copied().unwrap_or_default();
-    let mut sampling = before;
-    row(ui, "samples", "a pixel of a picture in a file: a regular grid with so many along each side", |ui| {
-        whole(ui, &mut sampling.side, 1..=MAX_GRID);
-        ui.weak(format!("² = {}", u64::from(sampling.side).pow(2)));
-    });
-    if sampling != before {
-        panel.editor.change_setting(panel.world, sampling);
-    }
-}
-
-fn whole_row(ui: &mut Ui, label: &str, hover: &str, value: &mut u32, range: RangeInclusive<u32>) {
-    row(ui, label, hover, |ui| whole(ui, value, range));
 }
 
 /// The picture in a file, which is what the key 0 does.

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use crate::components::Precision;
 use crate::preview::Layout;
 use crate::trace::{Counts, EffectCount, TableCount};
 
 use super::messages::Message;
+use crate::viewer::fronts::Front;
+use crate::viewer::live::Shows;
 
 /// What the program does at present. The World itself is not part of it: the panel looks there on its own.
 #[derive(Clone, Debug, Default)]
@@ -17,8 +18,20 @@ pub(crate) struct Status {
     pub(crate) name: String,
     /// What the window shows.
     pub(crate) mode: Layout,
-    /// Precision of the traced picture.
-    pub(crate) precision: Precision,
+    /// What is to be shown of a traced picture.
+    pub(crate) shows: Shows,
+    /// What is shown of the present one; nothing while there is none.
+    pub(crate) picture: Option<Shows>,
+    /// Root mean squared error of the picture that is shown, 0 to 1, as it is estimated; nothing while it is not.
+    pub(crate) error: Option<f64>,
+    /// Where the scale of its false colours ends.
+    pub(crate) most: f64,
+    /// Whether it has all its samples.
+    pub(crate) is_complete: bool,
+    /// What accuracy costs on this scene.
+    pub(crate) front: Front,
+    /// Whether the strip is shown.
+    pub(crate) strip: bool,
     /// Whether the checkerboard shows images.
     pub(crate) texture: bool,
     /// Threads that trace.
@@ -71,8 +84,10 @@ pub(crate) enum Request {
     CancelTrace,
     /// Show something else.
     SetMode(Layout),
-    /// Trace in another precision.
-    SetPrecision(Precision),
+    /// Show something else of the traced picture.
+    SetShows(Shows),
+    /// Measure again what accuracy costs.
+    MeasureFront,
     /// Switch the images of the checkerboard on or off.
     ToggleTexture,
     /// Take a message away: its place in [`Status::messages`].

@@ -1,5 +1,6 @@
 //! The panel without a window: what is clicked, dragged and typed there, and what becomes of it.
 
+mod accuracy;
 mod asking;
 mod editing;
 mod listing;

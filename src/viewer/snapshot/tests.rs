@@ -5,9 +5,11 @@ use tempfile::TempDir;
 
 use crate::components::Precision::{self, F32, F64};
 
-use super::super::live::{Live, LiveRequest};
+use super::super::live::{Live, LiveRequest, Shows};
 use super::super::test_views::{heavy, official, rendered, view, workers};
 use super::*;
+use crate::components::{Adaptive, Cutoff};
+use crate::trace::SampleGrid;
 
 const PIXELS: u32 = 90;
 
@@ -15,7 +17,7 @@ fn request(folder: &TempDir, precision: Precision, grid: u32) -> SnapshotRequest
     SnapshotRequest {
         view: view(&mut official(), precision),
         pixels: PIXELS,
-        grid: SampleGrid::new(grid),
+        samples: Samples::of(SampleGrid::new(grid)),
         folder: folder.path().to_owned(),
         stem: "scene".into(),
     }
@@ -75,6 +77,19 @@ fn the_file_holds_the_bytes_that_render_writes() {
         assert!(fs::read(&path).unwrap() == expected, "{precision:?}, {grid} by {grid} samples");
     }
     assert_eq!(names_in(&folder).len(), 4);
+}
+
+#[test]
+fn adaptive_samples_and_a_cutoff_are_those_of_render() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut world = official();
+    world.insert_resource(Adaptive { threshold: 1.0 / 128.0 });
+    world.insert_resource(Cutoff(0.1));
+    let samples = Samples { grid: SampleGrid::new(5), threshold: Some(1.0 / 128.0) };
+    let what = SnapshotRequest { view: view(&mut world, F64), samples, ..request(&folder, F64, 1) };
+    let path = written(&mut snapshots(), what);
+    let (film, _) = rendered(world, F64, PIXELS, 5);
+    assert!(fs::read(&path).unwrap() == encode(&film, &path).unwrap());
 }
 
 #[test]
@@ -179,8 +194,8 @@ fn the_live_trace_goes_on_meanwhile() {
     let mut snapshots = snapshots();
     snapshots.start(heavy_request(&folder)).unwrap();
     let live = Live::new(workers(), || ()).unwrap();
-    let grid = SampleGrid::new(3);
-    live.request(LiveRequest { view: view(&mut official(), F64), side: PIXELS, grid });
+    let (samples, shows) = (Samples::of(SampleGrid::new(3)), Shows::Picture);
+    live.request(LiveRequest { view: view(&mut official(), F64), side: PIXELS, samples, shows });
     let mut last = None;
     while let Some(shown) = live.wait(Duration::from_secs(10)) {
         last = Some(shown.unwrap());

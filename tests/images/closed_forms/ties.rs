@@ -6,6 +6,7 @@ use bevy_ecs::prelude::*;
 use glam::DVec3;
 
 use super::{View, lamp, white};
+use crate::paths::check_world;
 use crate::support::picture::{Picture, assert_same};
 use crate::support::tracing::trace;
 
@@ -106,6 +107,38 @@ fn of_touching_cubes_the_one_of_lower_order_shows_on_the_common_edge() {
         world.spawn((side(0.0), red(), Order(right))).insert(Color::new(0.0, 1.0, 0.0));
         assert_eq!(trace::<f64>(&mut world).picture.middle(), expected);
     }
+}
+
+/// A square field of pyramids side by side, 16 units wide, seen from above or below so that many rays go through common
+/// edges of their bases, but for rounding.
+fn field_of_pyramids(a_side: u32, below: bool) -> World {
+    let view = View::from_above(0.0, 0.25, 7.5, 15);
+    let mirrored = DVec3::new(1.0, 1.0, -1.0);
+    let view = if below { View { position: view.position * mirrored, look: DVec3::Z, ..view } } else { view };
+    let mut world = view.world();
+    let width = 16.0 / f64::from(a_side);
+    for (row, column) in (0..a_side).flat_map(|row| (0..a_side).map(move |column| (row, column))) {
+        let corner = |index: u32| f64::from(index) * width - 8.0;
+        let shape = Pyramid { width, height: 0.5 * width };
+        world.spawn((shape, Position::new(corner(column), corner(row), 0.0), white(0.5, 0.5)));
+    }
+    world.spawn(lamp(0.0, 0.25, 9.0));
+    world.spawn(lamp(-3.0, 0.0, -8.0));
+    world
+}
+
+#[test]
+fn nothing_shows_between_touching_pyramids() {
+    fn check<T: Real>() {
+        // Sixteen are searched row by row, sixty-four through a tree.
+        for (a_side, below) in [(4, false), (4, true), (8, false), (8, true)] {
+            let picture = trace::<T>(&mut field_of_pyramids(a_side, below)).picture;
+            assert!(picture.pixels.iter().all(|&[r, _, _]| r >= 0.5), "{a_side} a side");
+            check_world::<T>("touching pyramids", field_of_pyramids(a_side, below));
+        }
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]

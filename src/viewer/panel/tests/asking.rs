@@ -7,9 +7,9 @@ use egui::Key;
 
 use super::super::{Messages, Request};
 use super::screen::Screen;
-use crate::components::Precision;
 use crate::components::{Snapshot, Sphere};
 use crate::preview::Layout;
+use crate::viewer::live::Shows;
 
 fn sections() -> [&'static str; 7] {
     ["Entities", "Selected", "Camera", "Picture", "Effects in use", "Figures", "Keys"]
@@ -64,7 +64,7 @@ fn buttons_ask_for_what_they_say() {
     assert_eq!(screen.click_on("Reload"), [Request::Reload]);
     assert_eq!(screen.click_on("traced"), [Request::SetMode(Layout::Traced)]);
     assert_eq!(screen.click_on("split"), [Request::SetMode(Layout::Split)]);
-    assert_eq!(screen.click_on("f32"), [Request::SetPrecision(Precision::F32)]);
+    assert_eq!(screen.click_on("errors"), [Request::SetShows(Shows::Errors)]);
     assert_eq!(screen.click_on("Trace"), [Request::Trace]);
     assert_eq!(screen.click_on("Undo"), [], "there is nothing to undo");
     assert_eq!(screen.click_on("sphere"), [], "an entity is added at once");

@@ -4,7 +4,7 @@ use bevy_ecs::prelude::*;
 use egui::accesskit::{Node, Role};
 use egui::{Context, Event, FullOutput, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 
-use super::super::{PanelState, Request, Status, apply_theme, show, show_overlay};
+use super::super::{PanelState, Request, Status, apply_theme, show, show_overlay, show_strip};
 use crate::scene::{parse, spawn};
 use crate::viewer::editor::Editor;
 
@@ -64,6 +64,7 @@ impl Screen {
             if self.is_panel_open {
                 requests.extend(show(ui, &mut self.world, &mut self.editor, &self.status, &mut self.state));
             }
+            requests.extend(show_strip(ui, &mut self.world, &mut self.editor, &self.status));
             requests.extend(show_overlay(ui.ctx(), &self.status));
         });
         let update = output.platform_output.accesskit_update.take().unwrap();

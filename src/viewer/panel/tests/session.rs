@@ -9,11 +9,12 @@ use egui::{Context, Event, RawInput, Rect, pos2, vec2};
 
 use super::super::{PanelState, Request, apply_theme, show};
 use super::{Folder, folder};
-use crate::components::{Checkerboard, Precision, Sphere, Texture, Textured};
+use crate::components::{Checkerboard, Sphere, Texture, Textured};
 use crate::preview::Layout;
 use crate::scene::{parse, spawn};
 use crate::viewer::command::Command;
 use crate::viewer::editor::New;
+use crate::viewer::live::Shows;
 use crate::viewer::session::Session;
 use crate::viewer::{Viewer, ViewerOptions};
 
@@ -82,10 +83,10 @@ impl Desk {
 fn requests_are_performed() {
     let mut desk = Desk::new();
     desk.ask(Request::SetMode(Layout::Split));
-    desk.ask(Request::SetPrecision(Precision::F32));
+    desk.ask(Request::SetShows(Shows::Rays));
     desk.ask(Request::ToggleTexture);
     let switches = desk.session.switches;
-    assert_eq!((switches.mode, switches.precision, switches.texture), (Layout::Split, Precision::F32, true));
+    assert_eq!((switches.mode, switches.shows, switches.texture), (Layout::Split, Shows::Rays, true));
     desk.session.editor.add(&mut desk.session.world, New::Sphere);
     let spheres = |desk: &mut Desk| desk.session.world.query::<&Sphere>().iter(&desk.session.world).count();
     assert_eq!(spheres(&mut desk), 3);
