@@ -3,8 +3,8 @@
 use archetrace::film::Film;
 use archetrace::image_file::{encode, encode_rgb8};
 use archetrace::study::{
-    CareRow, CostReport, CostRow, EffectRow, HeatMap, KnobStep, Knobs, Machine, NextSixDb, PagePicture,
-    PictureEntry, Reference, Spread, error_colors, error_map, false_colors,
+    AdaptiveGain, CareRow, CostReport, CostRow, EffectRow, HeatMap, KnobStep, Knobs, Machine, NextSixDb,
+    PagePicture, PictureEntry, Reference, Spread, error_colors, error_map, false_colors,
 };
 
 /// Decibels of the floor.
@@ -94,6 +94,10 @@ pub(crate) fn sample_report() -> CostReport {
             knob("level", "truer", "level 8", 1.9, 1200, 0.0, false),
             knob("precision", "faster", "f32", -11.9, -12, -0.1, false),
             knob("checker filter", "truer", "checker filter", 1.3, 0, 5.3, true),
+        ],
+        adaptive: vec![
+            AdaptiveGain { setting: "adaptive 0.02".to_owned(), gain: Some(3.125) },
+            AdaptiveGain { setting: "adaptive 0.001".to_owned(), gain: None },
         ],
         care: vec![
             care("f64, textbook", 41.0, Some(512.0), [2.1e-8, 7.3e-2], 0.127),

@@ -73,7 +73,7 @@ impl Labels {
 
 /// About the width of a text of 12 pixels.
 pub(super) fn width(text: &str) -> f64 {
-    6.6 * f64::from(u32::try_from(text.chars().count()).unwrap_or(u32::MAX))
+    7.4 * f64::from(u32::try_from(text.chars().count()).unwrap_or(u32::MAX))
 }
 
 #[cfg(test)]

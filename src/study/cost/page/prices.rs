@@ -114,6 +114,30 @@ fn per_decibel(step: &KnobStep) -> Markup {
     }
 }
 
+/// What it saves to look twice only where a picture needs it.
+pub(super) fn adaptive(report: &CostReport) -> Markup {
+    if report.adaptive.is_empty() {
+        return html! {};
+    }
+    let body = html! {
+        @for row in &report.adaptive {
+            tr {
+                th scope="row" { (row.setting) }
+                td { @if let Some(gain) = row.gain { (number(gain)) } @else { "no uniform setting was as good" } }
+            }
+        }
+    };
+    let heads = [Words("setting"), Numbers("rays of uniform samples for the same error, by its own")];
+    let content = html! {
+        p {
+            "Adaptive settings take further samples only where a pixel seems to need them. Above 1 that saves rays; below 1 it "
+            "is better to take the same number everywhere."
+        }
+        (table("What adaptive samples save", &heads, &body))
+    };
+    section("adaptive", "Adaptive samples", &content)
+}
+
 /// What numerical care costs and buys.
 pub(super) fn care(report: &CostReport) -> Markup {
     if report.care.is_empty() {
