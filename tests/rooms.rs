@@ -124,8 +124,8 @@ const ROOMS: &[Room] = &[
             ("serde", All),
             ("serde_json", Only(&["table.rs"])),
         ],
-        rooms: &["components", "effects", "film", "geometry", "systems", "trace"],
-        may: &[],
+        rooms: &["components", "effects", "film", "geometry", "selfcheck", "systems", "trace"],
+        may: &[(Tolerance, Only(&["care.rs", "chooser.rs"]))],
     },
     Room {
         place: "src/cli",
@@ -134,6 +134,7 @@ const ROOMS: &[Room] = &[
             ("glam", All),
             ("thiserror", All),
             ("clap", All),
+            ("csv", Only(&["mod.rs"])),
             ("indicatif", All),
             ("ctrlc", All),
             ("serde", All),

@@ -8,6 +8,7 @@
 )]
 
 mod browser;
+mod command;
 mod page;
 mod sample;
 mod similarity;

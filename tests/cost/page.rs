@@ -27,12 +27,17 @@ fn words(value: &Value) -> &str {
 
 #[test]
 fn the_table_has_the_numbers_of_the_csv() {
-    let text = cost_csv(&sample_report()).unwrap();
+    has_numbers_of(&FOUND, &cost_csv(&sample_report()).unwrap());
+}
+
+/// The table that was found has the lines of the CSV, and every number of it that it shows.
+pub(crate) fn has_numbers_of(found: &Value, text: &str) {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let header = reader.headers().unwrap().clone();
     let records: Vec<csv::StringRecord> = reader.records().map(|record| record.unwrap()).collect();
-    assert_eq!(list("rows").len(), records.len());
-    for (row, record) in list("rows").iter().zip(&records) {
+    let rows = found["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), records.len());
+    for (row, record) in rows.iter().zip(&records) {
         let cells = row.as_array().unwrap();
         assert!(cells.len() > 12, "{row}");
         for cell in cells {
@@ -62,8 +67,9 @@ fn every_number_of_the_report_is_somewhere() {
     let next = report.next_6_db.iter().flat_map(|step| [step.from_db, step.to_db, step.milliseconds]);
     let care =
         report.care.iter().flat_map(|row| [row.nanoseconds, row.worst_far, row.worst_near, row.self_hits]);
+    let gains = report.adaptive.iter().filter_map(|row| row.gain);
     let effects = report.effects.iter().filter(|row| row.present).map(|row| row.milliseconds.median);
-    for number in steps.chain(next).chain(care).chain(effects) {
+    for number in steps.chain(next).chain(care).chain(effects).chain(gains) {
         assert!(numbers.contains(number.to_string().as_str()), "{number}");
     }
     let text = words(&FOUND["text"]);
@@ -84,12 +90,13 @@ fn the_headline_is_what_render_does_by_default() {
         text.contains("26.6 dB from the truth: a colour channel is typically off by 11.9 of 255 levels"),
         "{text}"
     );
+    assert!(text.contains("Half of that error costs 157 ms in all, by samples 4, checker filter."), "{text}");
     assert!(text.contains("known to 51.2 dB"), "{text}");
 }
 
 #[test]
 fn every_button_shows_its_setting_and_nothing_else() {
-    let expected: Vec<Value> = ["assignment", "samples 64", "reference"]
+    let expected: Vec<Value> = ["truth", "assignment", "samples 64"]
         .map(|setting| json!({ "pressed": setting, "shown": [setting] }))
         .to_vec();
     assert_eq!(list("pressed"), expected);
@@ -185,7 +192,7 @@ fn it_is_seen_in_both_schemes() {
 fn another_setting_is_another_sight() {
     let opened = Opened::new(&page());
     let [first, second] =
-        ["look.html#0", "look.html#1"].map(|page| opened.screenshot(page, [1100, 900], false));
+        ["look.html#1", "look.html#2"].map(|page| opened.screenshot(page, [1100, 900], false));
     let differing = first.pixels().zip(second.pixels()).filter(|(a, b)| a != b).count();
     assert!(differing > 5000, "{differing}");
 }

@@ -3,8 +3,8 @@
 use archetrace::film::Film;
 use archetrace::image_file::{encode, encode_rgb8};
 use archetrace::study::{
-    CareRow, CostReport, CostRow, EffectRow, HeatMap, KnobStep, Knobs, Machine, NextSixDb, PagePicture,
-    PictureEntry, Reference, Spread, error_colors, error_map, false_colors,
+    AdaptiveGain, CareRow, CostReport, CostRow, EffectRow, HeatMap, KnobStep, Knobs, Machine, NextSixDb,
+    PagePicture, PictureEntry, Reference, Spread, error_colors, error_map, false_colors,
 };
 
 /// Decibels of the floor.
@@ -95,6 +95,10 @@ pub(crate) fn sample_report() -> CostReport {
             knob("precision", "faster", "f32", -11.9, -12, -0.1, false),
             knob("checker filter", "truer", "checker filter", 1.3, 0, 5.3, true),
         ],
+        adaptive: vec![
+            AdaptiveGain { setting: "adaptive 0.02".to_owned(), gain: Some(3.125) },
+            AdaptiveGain { setting: "adaptive 0.001".to_owned(), gain: None },
+        ],
         care: vec![
             care("f64, textbook", 41.0, Some(512.0), [2.1e-8, 7.3e-2], 0.127),
             care("f64, careful", 44.5, Some(590.0), [3.5e-16, 4.1e-16], 0.0),
@@ -137,7 +141,7 @@ fn row((setting, knob, flags, side, level, precision, filter, milliseconds, deci
         shadow: primary * 2,
         mirror: primary,
         refracted: 0,
-        instructions: None,
+        instructions: (side == 1).then_some(7010.0),
         rmse: rmse(decibels),
         psnr_db: decibels,
         at_floor: decibels >= FLOOR,
@@ -182,19 +186,19 @@ fn effect(effect: &'static str, median: f64, rays: i64) -> EffectRow {
     EffectRow { effect, present, milliseconds, rays, rows, bytes, rmse }
 }
 
-/// Two settings and the reference, with pictures that are easy to tell apart.
+/// The truth and two settings, with pictures that are easy to tell apart.
 pub(crate) fn sample_pictures() -> Vec<PagePicture> {
     let reference = disk(24.0);
-    ["assignment", "samples 64", "reference"]
+    ["truth", "assignment", "samples 64"]
         .into_iter()
-        .zip([disk(20.0), disk(23.5), reference.clone()])
+        .zip([reference.clone(), disk(20.0), disk(23.5)])
         .map(|(setting, film)| {
             let errors = error_map(&film, &reference).unwrap();
             let rays: Vec<f64> = film.pixels().iter().map(|pixel| 1.0 + 7.0 * pixel[0]).collect();
             PagePicture {
                 setting: setting.to_owned(),
                 picture: encode(&film, "x.png".as_ref()).unwrap(),
-                error: (setting != "reference").then(|| png(error_colors(&errors))),
+                error: (setting != "truth").then(|| png(error_colors(&errors))),
                 rays: Some(HeatMap { png: png(false_colors(&rays, 8.0)), most: 8.0 }),
             }
         })
@@ -227,5 +231,5 @@ pub(crate) fn entries() -> Vec<PictureEntry> {
         error: error.map(str::to_owned),
         rays: None,
     };
-    vec![entry("reference", None), entry("assignment", Some("assignment-error.png"))]
+    vec![entry("truth", None), entry("assignment", Some("assignment-error.png"))]
 }

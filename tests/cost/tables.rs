@@ -79,7 +79,7 @@ fn what_is_not_there_is_empty() {
 }
 
 /// Whether the schema that the tests keep takes this.
-fn problems(json: &Value) -> Vec<String> {
+pub(crate) fn problems(json: &Value) -> Vec<String> {
     let schema: Value = serde_json::from_str(include_str!("cost.schema.json")).unwrap();
     let validator = jsonschema::draft202012::new(&schema).unwrap();
     validator.iter_errors(json).map(|error| format!("{}: {error}", error.instance_path())).collect()

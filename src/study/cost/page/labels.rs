@@ -5,6 +5,11 @@
 pub(super) struct Area(pub(super) [f64; 4]);
 
 impl Area {
+    /// Around a line along an axis, from one end to the other.
+    pub(super) fn along([x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> Self {
+        Self([x1.min(x2) - 1.0, y1.min(y2) - 1.0, x1.max(x2) + 1.0, y1.max(y2) + 1.0])
+    }
+
     /// Around a point.
     pub(super) fn around([x, y]: [f64; 2], half: f64) -> Self {
         Self([x - half, y - half, x + half, y + half])
@@ -52,8 +57,8 @@ impl Labels {
         let width = width(text);
         let lefts = [x + GAP, x - GAP - width, x - width / 2.0];
         let tops = [y - HEIGHT / 2.0, y - GAP - HEIGHT, y + GAP];
-        // Beside it, above and below it, off its corners.
-        let order = [(0, 0), (1, 0), (2, 1), (2, 2), (0, 2), (1, 1), (0, 1), (1, 2)];
+        // Stairs lead to a point from below and on to the right: what is left of it and above is free.
+        let order = [(1, 0), (1, 1), (2, 1), (0, 2), (0, 0), (0, 1), (2, 2), (1, 2)];
         let areas =
             order.map(|(left, top)| Area([lefts[left], tops[top], lefts[left] + width, tops[top] + HEIGHT]));
         let is_free = |area: &&Area| {
@@ -68,7 +73,7 @@ impl Labels {
 
 /// About the width of a text of 12 pixels.
 pub(super) fn width(text: &str) -> f64 {
-    6.6 * f64::from(u32::try_from(text.chars().count()).unwrap_or(u32::MAX))
+    7.4 * f64::from(u32::try_from(text.chars().count()).unwrap_or(u32::MAX))
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use super::{CostReport, CostRow};
 pub use pictures::{HeatMap, PagePicture};
 pub use plot::draw_front;
 
-use prices::{care, effects, knob_steps, next_6_db};
+use prices::{adaptive, care, effects, knob_steps, next_6_db};
 use words::{number, short};
 
 /// Nothing but what is in the page may be shown, so a reader's browser asks nobody.
@@ -47,6 +47,7 @@ pub fn cost_page(report: &CostReport, shown: &[PagePicture]) -> String {
                     (plot_section(report))
                     (next_6_db(report))
                     (knob_steps(report))
+                    (adaptive(report))
                     (pictures::pictures(report, shown))
                     (care(report))
                     (effects(report))
@@ -88,13 +89,24 @@ fn headline(report: &CostReport) -> Markup {
             p.headline {
                 "Unless told otherwise, " code { "render" } " takes " strong { (number(row.milliseconds.median)) " ms" }
                 " for this picture of " (report.pixels) " by " (report.pixels) " pixels, and is "
-                strong { (number(row.psnr_db)) " dB" } " from the truth: " (typical(row)) "."
+                strong { (number(row.psnr_db)) " dB" } " from the truth: " (typical(row)) "." (half_of(report, row))
             }
         }
         p {
             "The truth is itself computed, from hundreds of samples in each pixel, and known to "
             strong { (number(floor.floor_psnr_db)) " dB" }
             ". That is the floor: a setting that reaches it is as close as can be told, and nothing is claimed beyond."
+        }
+    }
+}
+
+/// The cheapest way to half of the error, if there is one.
+fn half_of(report: &CostReport, row: &CostRow) -> Markup {
+    let mut front = report.front.iter().filter_map(|&number| report.rows.get(number));
+    let half = front.find(|other| other.psnr_db >= row.psnr_db + 6.0);
+    html! {
+        @if let Some(half) = half {
+            " Half of that error costs " (number(half.milliseconds.median)) " ms in all, by " em { (half.setting) } "."
         }
     }
 }
@@ -111,6 +123,7 @@ fn contents(report: &CostReport, shown: &[PagePicture]) -> Markup {
         ("plot", "Time against error", true),
         ("next", "The next 6 dB", !report.next_6_db.is_empty()),
         ("knobs", "Each knob by itself", !report.steps.is_empty()),
+        ("adaptive", "Adaptive samples", !report.adaptive.is_empty()),
         ("pictures", "Pictures", !shown.is_empty()),
         ("care", "Numerical care", !report.care.is_empty()),
         ("effects", "Effects of the scene", !report.effects.is_empty()),

@@ -20,11 +20,11 @@ pub struct HeatMap {
 /// What one setting gives.
 #[derive(Clone, Debug)]
 pub struct PagePicture {
-    /// Name of the setting, or `reference`.
+    /// Name of the setting, or `truth`.
     pub setting: String,
     /// The picture, a PNG.
     pub picture: Vec<u8>,
-    /// The error of each pixel, a PNG by [`error_colors`](crate::study::error_colors); nothing for the reference.
+    /// The error of each pixel, a PNG by [`error_colors`](crate::study::error_colors); nothing for the truth.
     pub error: Option<Vec<u8>>,
     /// The rays of each pixel by [`false_colors`](crate::study::false_colors).
     pub rays: Option<HeatMap>,
@@ -35,12 +35,13 @@ pub(super) fn pictures(report: &CostReport, shown: &[PagePicture]) -> Markup {
     if shown.is_empty() {
         return html! {};
     }
+    let pressed = shown.iter().position(|entry| entry.setting == "assignment").unwrap_or(0);
     let content = html! {
         p { "Choose a setting. Its picture is shown beside where it is wrong and where its rays went." }
         fieldset.switch {
             legend { "Setting" }
             @for (at, entry) in shown.iter().enumerate() {
-                input type="radio" name="picture" id={"picture-" (at)} checked[at == 0];
+                input type="radio" name="picture" id={"picture-" (at)} checked[at == pressed];
                 label for={"picture-" (at)} { (entry.setting) }
                 (panel(report, entry))
             }

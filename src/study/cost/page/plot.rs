@@ -203,17 +203,22 @@ impl<'a> Plot<'a> {
         format!("floor, {} dB: the truth is not known better, nothing is claimed beyond", short(floor))
     }
 
-    /// Stairs: with so much time, no setting is truer.
-    fn front_path(&self) -> String {
-        let mut path = String::new();
+    /// Corners of the stairs: with so much time, no setting is truer.
+    fn stairs(&self) -> Vec<[f64; 2]> {
+        let mut corners: Vec<[f64; 2]> = Vec::new();
         for row in self.report.front.iter().filter_map(|&number| self.report.rows.get(number)) {
-            let [x, y] = self.point(row).map(px);
-            path += &if path.is_empty() { format!("M{x} {y}") } else { format!("H{x}V{y}") };
+            let [x, y] = self.point(row);
+            corners.extend(corners.last().map(|&[_, before]| [x, before]));
+            corners.push([x, y]);
         }
-        if !path.is_empty() {
-            path += &format!("H{RIGHT}");
-        }
-        path
+        corners.extend(corners.last().map(|&[_, y]| [RIGHT, y]));
+        corners
+    }
+
+    fn front_path(&self) -> String {
+        let corners = self.stairs();
+        let words = corners.iter().zip("ML".chars().chain(std::iter::repeat('L')));
+        words.map(|(&[x, y], word)| format!("{word}{} {}", px(x), px(y))).collect()
     }
 
     /// Half of the measured times lay within this line.
@@ -242,6 +247,7 @@ impl<'a> Plot<'a> {
     fn labels(&self) -> Labels {
         let rows = &self.report.rows;
         let mut taken: Vec<Area> = rows.iter().map(|row| Area::around(self.point(row), 5.0)).collect();
+        taken.extend(self.stairs().windows(2).map(|ends| Area::along(ends[0], ends[1])));
         let floor = self.floor_name_line();
         taken.push(Area([LEFT, floor - 12.0, LEFT + 6.0 + width(&self.floor_name()), floor + 4.0]));
         let bounds = Area([LEFT + 2.0, TOP + 2.0, RIGHT - 2.0, BOTTOM - 2.0]);

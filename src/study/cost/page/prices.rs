@@ -6,13 +6,30 @@ use super::section;
 use super::words::{count, number, percent, signed, signed_count};
 use crate::study::{CostReport, EffectRow, KnobStep};
 
+/// Over a column of numbers, or of words.
+enum Head {
+    Numbers(&'static str),
+    Words(&'static str),
+}
+
+use Head::{Numbers, Words};
+
+impl Head {
+    fn markup(&self) -> Markup {
+        match self {
+            Numbers(text) => html! { th scope="col" { (text) } },
+            Words(text) => html! { th.words scope="col" { (text) } },
+        }
+    }
+}
+
 /// A table with a caption that scrolls by itself where the window is narrow.
-fn table(caption: &str, heads: &[&str], body: &Markup) -> Markup {
+fn table(caption: &str, heads: &[Head], body: &Markup) -> Markup {
     html! {
         div.wide tabindex="0" role="region" aria-label=(caption) {
             table {
                 caption { (caption) }
-                thead { tr { @for head in heads { th scope="col" { (head) } } } }
+                thead { tr { @for head in heads { (head.markup()) } } }
                 tbody { (body) }
             }
         }
@@ -36,9 +53,10 @@ pub(super) fn next_6_db(report: &CostReport) -> Markup {
             }
         }
     };
-    let heads = ["from", "dB", "to", "dB", "ms more", "rays more"];
+    let heads =
+        [Words("from"), Numbers("dB"), Words("to"), Numbers("dB"), Numbers("ms more"), Numbers("rays more")];
     let content = html! {
-        p { "Half of the error is 6 dB less of it. This is what each half costs, by the cheapest setting that gets there." }
+        p { "Six decibels more are half the error. This is what each half costs, by the cheapest setting that gets there." }
         (table("What the next 6 dB cost", &heads, &body))
     };
     section("next", "The next 6 dB", &content)
@@ -63,8 +81,16 @@ pub(super) fn knob_steps(report: &CostReport) -> Markup {
             }
         }
     };
-    let heads =
-        ["knob", "to", "meant to be", "ms more", "rays more", "dB more", "ms for each dB", "it computes"];
+    let heads = [
+        Words("knob"),
+        Words("to"),
+        Words("meant to be"),
+        Numbers("ms more"),
+        Numbers("rays more"),
+        Numbers("dB more"),
+        Numbers("ms for each dB"),
+        Words("it computes"),
+    ];
     let content = html! {
         p {
             "What is different if a single knob of the present setting is turned by one step. Most knobs compute the same "
@@ -88,6 +114,30 @@ fn per_decibel(step: &KnobStep) -> Markup {
     }
 }
 
+/// What it saves to look twice only where a picture needs it.
+pub(super) fn adaptive(report: &CostReport) -> Markup {
+    if report.adaptive.is_empty() {
+        return html! {};
+    }
+    let body = html! {
+        @for row in &report.adaptive {
+            tr {
+                th scope="row" { (row.setting) }
+                td { @if let Some(gain) = row.gain { (number(gain)) } @else { "no uniform setting was as good" } }
+            }
+        }
+    };
+    let heads = [Words("setting"), Numbers("rays of uniform samples for the same error, by its own")];
+    let content = html! {
+        p {
+            "Adaptive settings take further samples only where a pixel seems to need them. Above 1 that saves rays; below 1 it "
+            "is better to take the same number everywhere."
+        }
+        (table("What adaptive samples save", &heads, &body))
+    };
+    section("adaptive", "Adaptive samples", &content)
+}
+
 /// What numerical care costs and buys.
 pub(super) fn care(report: &CostReport) -> Markup {
     if report.care.is_empty() {
@@ -106,17 +156,13 @@ pub(super) fn care(report: &CostReport) -> Markup {
             }
         }
     };
-    let heads: Vec<&str> = [
-        Some("way to compute"),
-        Some("ns a ray"),
-        counted.then_some("instructions a ray"),
-        Some("worst error, small sphere far away"),
-        Some("worst error, huge sphere underfoot"),
-        Some("rays that hit what they leave"),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
+    let mut heads = vec![Words("way to compute"), Numbers("ns a ray")];
+    heads.extend(counted.then_some(Numbers("instructions a ray")));
+    heads.extend([
+        Numbers("worst error, small sphere far away"),
+        Numbers("worst error, huge sphere underfoot"),
+        Numbers("rays that hit what they leave"),
+    ]);
     let content = html! {
         p {
             "The same rays computed in more and less careful ways. Errors are relative, of the distance to what is hit, the "
@@ -146,7 +192,15 @@ pub(super) fn effects(report: &CostReport) -> Markup {
             }
         }
     };
-    let heads = ["effect", "ms more", "", "rays more", "rows", "bytes", "change of the picture (RMSE)"];
+    let heads = [
+        Words("effect"),
+        Numbers("ms more"),
+        Words(""),
+        Numbers("rays more"),
+        Numbers("rows"),
+        Numbers("bytes"),
+        Numbers("change of the picture (RMSE)"),
+    ];
     let absent: Vec<String> = report.effects.iter().filter(|row| !row.present).map(name).collect();
     let content = html! {
         p { "What each effect adds to the frame: the frame with it, less the frame without." }

@@ -8,12 +8,13 @@ use super::words::{count, number, percent};
 use crate::study::{CostReport, CostRow};
 
 /// The columns: as `cost.csv` calls them, as people do.
-const COLUMNS: [(&str, &str); 15] = [
+const COLUMNS: [(&str, &str); 16] = [
     ("ms_median", "ms"),
     ("ms_min", "least ms"),
     ("ms_iqr", "spread of ms"),
     ("psnr_db", "dB"),
     ("rmse", "RMSE"),
+    ("alone_rmse", "RMSE by this knob alone"),
     ("worst_level", "worst, levels"),
     ("over1", "pixels off by > 1 level"),
     ("over8", "pixels off by > 8 levels"),
@@ -26,8 +27,12 @@ const COLUMNS: [(&str, &str); 15] = [
     ("flags", "flags of render"),
 ];
 
+/// Columns that hold no numbers.
+const WORDS: [&str; 3] = ["precision", "filter", "flags"];
+
 /// The table of all settings.
 pub(super) fn rows(report: &CostReport) -> Markup {
+    let is_counted = report.rows.iter().any(|row| row.instructions.is_some());
     let content = html! {
         p {
             "All that was measured; " code { "cost.csv" } " has the same rows with all digits and columns. "
@@ -39,12 +44,15 @@ pub(super) fn rows(report: &CostReport) -> Markup {
                 thead {
                     tr {
                         th scope="col" data-column="setting" { "setting" }
-                        @for (column, words) in COLUMNS { th scope="col" data-column=(column) { (words) } }
+                        @for (column, words) in COLUMNS {
+                            th.words[WORDS.contains(&column)] scope="col" data-column=(column) { (words) }
+                        }
+                        @if is_counted { th scope="col" data-column="instructions" { "instructions a pixel" } }
                     }
                 }
                 tbody {
                     @for (number, row) in report.rows.iter().enumerate() {
-                        (one(row, number, report.front.contains(&number)))
+                        (one(row, number, report.front.contains(&number), is_counted))
                     }
                 }
             }
@@ -53,7 +61,7 @@ pub(super) fn rows(report: &CostReport) -> Markup {
     section("rows", "All settings", &content)
 }
 
-fn one(row: &CostRow, at: usize, is_best: bool) -> Markup {
+fn one(row: &CostRow, at: usize, is_best: bool, is_counted: bool) -> Markup {
     html! {
         tr id=(row_id(at)) data-setting=(row.setting) class=[(row.setting == "assignment").then_some("present")] {
             th scope="row" {
@@ -65,6 +73,7 @@ fn one(row: &CostRow, at: usize, is_best: bool) -> Markup {
             td { (number(row.milliseconds.iqr)) }
             td { (number(row.psnr_db)) @if row.at_floor { span.sign title="as close as can be told" { "\u{2020}" } } }
             td { (number(row.rmse)) }
+            td { @if let Some(alone) = row.alone_rmse { (number(alone)) } }
             td { (count(row.worst_level.into())) }
             td { (percent(row.over1)) }
             td { (percent(row.over8)) }
@@ -75,6 +84,7 @@ fn one(row: &CostRow, at: usize, is_best: bool) -> Markup {
             td.words { (row.knobs.precision) }
             td.words { (row.knobs.filter) }
             td.words { code { (row.flags) } }
+            @if is_counted { td { @if let Some(instructions) = row.instructions { (number(instructions)) } } }
         }
     }
 }

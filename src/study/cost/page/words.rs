@@ -32,20 +32,19 @@ fn plus(is_positive: bool) -> &'static str {
     if is_positive { "+" } else { "" }
 }
 
-/// Three significant digits, or all digits before the point; powers of ten for what is tiny.
+/// Three significant digits, or all digits before the point; whole numbers as they are, powers of ten for what is tiny.
 pub(super) fn short(value: f64) -> String {
     let size = value.abs();
     let text = match size {
         _ if value.is_nan() => "\u{2014}".to_owned(),
         _ if size.is_infinite() => "\u{221e}".to_owned(),
-        _ if size >= 99.95 => grouped(whole(size)),
+        _ if size >= 99.95 || size.fract() == 0.0 => grouped(whole(size)),
         _ if size >= 9.995 => format!("{size:.1}"),
-        _ if size >= 0.9995 || size == 0.0 => format!("{size:.2}"),
+        _ if size >= 0.9995 => format!("{size:.2}"),
         _ if size >= 0.01 => format!("{size:.3}"),
         _ => format!("{size:.1e}"),
     };
     let sign = if value < 0.0 { "\u{2212}" } else { "" };
-    let text = text.strip_suffix(".00").map(str::to_owned).unwrap_or(text);
     sign.to_owned() + &text
 }
 
@@ -76,12 +75,12 @@ mod tests {
 
     #[test]
     fn three_digits_are_enough_for_people() {
-        let shown = [0.0, 1.0, 38.234, 9.999, 99.96, 1234.5, 0.5, 0.012_34, 0.5 / 1000.0, -2.5, -0.04];
+        let shown = [0.0, 16.0, 38.234, 9.999, 99.96, 1234.5, 0.5, 0.012_34, 0.5 / 1000.0, -2.5, -0.04];
         assert_eq!(
             shown.map(short),
             [
                 "0",
-                "1",
+                "16",
                 "38.2",
                 "10.0",
                 "100",
