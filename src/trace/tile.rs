@@ -1,6 +1,6 @@
 //! A rectangle of pixels.
 
-use crate::film::FilmTile;
+use crate::film::FilmBand;
 use crate::geometry::Real;
 
 use super::packet::{BLOCK_SIDE, Block, Bounds, Scratch};
@@ -23,14 +23,14 @@ pub struct Exposure<'a, T: Real> {
 }
 
 impl<T: Real> Exposure<'_, T> {
-    /// One sample of every pixel of a tile, clamped to 0..=1: the first pass sets the pixels, later ones add to them,
-    /// and after the last they hold the sum over the grid. `keep_going` is asked before each band of four rows; the
-    /// rows after a no keep what they held.
-    pub fn trace_tile(
+    /// One sample of every pixel of a band of rows, clamped to 0..=1: the first pass sets the pixels, later ones add to
+    /// them, and after the last they hold the sum over the grid. The band is traced tile by tile, each as wide as it is
+    /// high. `keep_going` is asked before each four rows of a tile; what comes after a no keeps what it held.
+    pub fn trace_band(
         &self,
         simd: Simd,
         pass: u32,
-        tile: &mut FilmTile<'_>,
+        band: &mut FilmBand<'_>,
         keep_going: impl Fn() -> bool,
     ) -> Counts {
         // The samples of a pixel are the pixel centres of a finer picture.
@@ -40,9 +40,14 @@ impl<T: Real> Exposure<'_, T> {
         let task = BandTask { exposure: self, camera: &camera, bounds: &bounds, pass, gain };
         let mut counts = Counts::default();
         let mut scratch = Scratch::new();
-        let left = tile.left();
-        for (top, rows) in tile.bands_mut(BLOCK_SIDE).take_while(|_| keep_going()) {
-            counts += simd.trace(self.kernel, &task, &mut Band { left, top, rows }, &mut scratch);
+        let (side, height) = (band.side(), band.height());
+        let tiles = (0..side).step_by(height.max(1) as usize);
+        let strips =
+            tiles.flat_map(|left| (0..height).step_by(BLOCK_SIDE as usize).map(move |row| (left, row)));
+        for (left, row) in strips.take_while(|_| keep_going()) {
+            let size = (height.min(side - left), BLOCK_SIDE.min(height - row));
+            counts +=
+                simd.trace(self.kernel, &task, &mut Band { film: &mut *band, left, row, size }, &mut scratch);
         }
         counts
     }
@@ -50,9 +55,12 @@ impl<T: Real> Exposure<'_, T> {
 
 /// Some rows of a tile.
 pub(super) struct Band<'a, 'b> {
+    film: &'a mut FilmBand<'b>,
+    /// Its first column, and its first row in the band of the film.
     left: u32,
-    top: u32,
-    rows: &'a mut [&'b mut [[f64; 3]]],
+    row: u32,
+    /// Columns and rows.
+    size: (u32, u32),
 }
 
 /// What bands are traced from.
@@ -77,12 +85,12 @@ impl<T: Real> BandTask<'_, T> {
         let Exposure { tables, level, grid, .. } = *self.exposure;
         let (side, point) = (grid.side(), grid.point(self.pass));
         let block = Block { tables, bounds: self.bounds, camera: self.camera, level, step: side };
-        let (width, height) = band.size();
+        let (width, height) = band.size;
         for first in (0..width).step_by(BLOCK_SIDE as usize) {
-            let corner = ((band.left + first) * side + point.column, band.top * side + point.row);
+            let corner = ((band.left + first) * side + point.column, band.top() * side + point.row);
             let columns = (width - first).min(BLOCK_SIDE);
-            let put = |row: usize, column: usize, sample| {
-                self.put(&mut band.rows[row][first as usize + column], sample);
+            let put = |row: u32, column: u32, sample| {
+                self.put(band.pixel(row, first + column), sample);
             };
             if level == 0 {
                 blacken(columns, height, put);
@@ -96,10 +104,10 @@ impl<T: Real> BandTask<'_, T> {
     /// Traces a band pixel by pixel, with every effect.
     pub(super) fn trace_each(&self, band: &mut Band<'_, '_>) -> Counts {
         let mut counts = Counts::default();
-        let (width, height) = band.size();
+        let (width, height) = band.size;
         for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
-            let sample = self.sample(band.left + column, band.top + row, &mut counts);
-            self.put(&mut band.rows[row as usize][column as usize], sample);
+            let sample = self.sample(band.left + column, band.top() + row, &mut counts);
+            self.put(band.pixel(row, column), sample);
         }
         counts
     }
@@ -128,26 +136,26 @@ impl<T: Real> BandTask<'_, T> {
 }
 
 impl Band<'_, '_> {
-    /// Columns and rows.
+    /// Its first row in the film.
     #[inline(always)]
-    fn size(&self) -> (u32, u32) {
-        (self.rows.first().map_or(0, |row| small(row.len())), small(self.rows.len()))
+    fn top(&self) -> u32 {
+        self.film.top() + self.row
+    }
+
+    /// The pixel in this row and column of it.
+    #[inline(always)]
+    fn pixel(&mut self, row: u32, column: u32) -> &mut [f64; 3] {
+        self.film.pixel_mut(self.row + row, self.left + column)
     }
 }
 
 /// At level 0 no ray is traced.
-fn blacken(width: u32, height: u32, mut put: impl FnMut(usize, usize, [f64; 3])) {
-    for row in 0..height as usize {
-        for column in 0..width as usize {
+fn blacken(width: u32, height: u32, mut put: impl FnMut(u32, u32, [f64; 3])) {
+    for row in 0..height {
+        for column in 0..width {
             put(row, column, [0.0; 3]);
         }
     }
-}
-
-/// A number of pixels in a tile, which is no larger than a film.
-#[inline(always)]
-fn small(count: usize) -> u32 {
-    u32::try_from(count).unwrap_or(0)
 }
 
 fn add(pixel: &mut [f64; 3], sample: [f64; 3]) {

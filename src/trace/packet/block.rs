@@ -31,16 +31,16 @@ impl<T: Real> Block<'_, T> {
         (width, height): (u32, u32),
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
-        mut put: impl FnMut(usize, usize, [f64; 3]),
+        mut put: impl FnMut(u32, u32, [f64; 3]),
     ) {
         let rays = self.rays((left, top), (width, height));
         counts.rays.primary += u64::from(width * height);
         let paths = Paths { tables: self.tables, bounds: self.bounds, level: self.level };
         let mut colors = paths.radiance::<EFFECTS>(rays, scratch, counts);
         clamp(&mut colors, counts);
-        for row in 0..height as usize {
-            for column in 0..width as usize {
-                let color = colors.get(row * BLOCK_SIDE as usize + column);
+        for row in 0..height {
+            for column in 0..width {
+                let color = colors.get((row * BLOCK_SIDE + column) as usize % LANES);
                 put(row, column, [color.x.to_f64(), color.y.to_f64(), color.z.to_f64()]);
             }
         }

@@ -65,9 +65,10 @@ impl<T: Real> Lighting<'_, T> {
         }
         shadow_rays.add(&reach);
         // 2. Points that nothing hides from it.
-        let candidates = self.bounds.near(&Bundle::from_point(light.position, self.cluster));
+        let bundle = Bundle::from_point(light.position, self.cluster);
+        let candidates = self.bounds.near(&bundle);
         let ways = RayLanes { start: &self.surface.start, direction: &segments };
-        occlude(self.tables, &ways, &mut reach, &candidates, row, scratch);
+        occlude(self.tables, &ways, &mut reach, &bundle, &candidates, row, scratch);
         // 3. What it does there.
         if any(|lane| reach[lane] > T::ZERO) {
             self.shine::<EFFECTS>(&reach, &segments.unit(), &scale, sums);

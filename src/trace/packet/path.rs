@@ -44,9 +44,10 @@ impl<T: Real> Paths<'_, T> {
         let (mut shadow_rays, mut mirror_rays) = (LaneCounts::NONE, LaneCounts::NONE);
         for remaining in (0..self.level).rev() {
             // 1. What the rays meet. A lane that meets nothing has nothing more to do.
-            let candidates = self.bounds.near(&Bundle::of_rays(&cluster, &direction, &reach));
+            let bundle = Bundle::of_rays(&cluster, &direction, &reach);
+            let candidates = self.bounds.near(&bundle);
             let rays = RayLanes { start: &start, direction: &direction };
-            let hits = closest(self.tables, &rays, &reach, &candidates, scratch);
+            let hits = closest(self.tables, &rays, &reach, &bundle, &candidates, scratch);
             if !any(|lane| hits.name[lane] != ObjectId::NOBODY) {
                 break;
             }
