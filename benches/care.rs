@@ -12,8 +12,7 @@ use archetrace::geometry::{CubeShape, PyramidShape, Ray, Real, SphereShape, Vect
 use archetrace::scene::{Source, spawn};
 use archetrace::systems::{Monitor, Tables, Workers, extract_schedule, prepare, trace_picture};
 use archetrace::trace::{
-    CameraRay, Counts, Exposure, Kernel, SampleGrid, SampleId, SceneTables, ShapeColumns, SurfaceRow,
-    radiance,
+    CameraRay, Counts, Exposure, SampleId, SceneTables, ShapeColumns, SurfaceRow, radiance,
 };
 use bevy_ecs::prelude::World;
 
@@ -43,8 +42,7 @@ fn run<T: Real>(way: &str, scene: &str, pixels: u32) -> Result<(), Failure> {
     let tables = world.resource::<Tables<T>>();
     let camera = tables.camera.as_ref().ok_or("no camera")?;
     let (tables, level) = (&*tables.scene, loaded.description.level);
-    let kernel = Kernel::smallest_for(tables.effects());
-    let exposure = Exposure { tables, camera, level, grid: SampleGrid::CENTER, kernel };
+    let exposure = Exposure::new(tables, camera, level);
     let cell = T::from_f64(loaded.description.board.cell);
     let sum = match way {
         "naive" => {
@@ -52,7 +50,8 @@ fn run<T: Real>(way: &str, scene: &str, pixels: u32) -> Result<(), Failure> {
         }
         "care" => {
             let sample = SampleId { column: 0, row: 0, index: 0 };
-            each_ray(&exposure, |start| radiance(tables, start, level, sample, &mut Counts::default()))
+            let depth = exposure.depth;
+            each_ray(&exposure, |start| radiance(tables, start, depth, sample, &mut Counts::default()).color)
         }
         _ => {
             let mut film = Film::new(pixels).ok_or("no memory")?;

@@ -29,6 +29,11 @@ impl Film {
         &self.pixels
     }
 
+    /// All pixels, top row first, to be written.
+    pub fn pixels_mut(&mut self) -> &mut [[f64; 3]] {
+        &mut self.pixels
+    }
+
     /// Chooses what light becomes in 8 bits; linear unless said otherwise.
     pub fn set_transfer(&mut self, transfer: Transfer) {
         self.transfer = transfer;
@@ -54,6 +59,20 @@ impl Film {
         }
     }
 
+    /// The same picture with more pixels along each side, each of which shows the one below it; `None` if there is no memory
+    /// for it.
+    pub fn enlarged(&self, side: u32) -> Option<Self> {
+        let mut large = Self::new(side)?;
+        large.transfer = self.transfer;
+        let from = |place: u32| (u64::from(place) * u64::from(self.side) / u64::from(side)) as usize;
+        for (row, pixels) in (0..side).zip(large.pixels.chunks_mut(side.max(1) as usize)) {
+            for (column, pixel) in (0..side).zip(pixels) {
+                *pixel = self.pixels[from(row) * self.side as usize + from(column)];
+            }
+        }
+        Some(large)
+    }
+
     /// Divides every pixel, as the sum of that many samples.
     pub fn divide(&mut self, samples: u32) {
         // Nothing changes for one, and reading a large film takes its time.
@@ -77,11 +96,6 @@ impl Film {
     /// Pixels in bands of `height` rows.
     pub fn band_length(&self, height: u32) -> usize {
         (self.side as usize * height.max(1) as usize).max(1)
-    }
-
-    /// All pixels, for who hands them to threads in pieces of [`Self::band_length`], see [`FilmBand::new`].
-    pub fn pixels_mut(&mut self) -> &mut [[f64; 3]] {
-        &mut self.pixels
     }
 }
 
@@ -113,11 +127,6 @@ impl<'a> FilmBand<'a> {
     /// Number of rows.
     pub fn height(&self) -> u32 {
         u32::try_from(self.pixels.len() / (self.side as usize).max(1)).unwrap_or(u32::MAX)
-    }
-
-    /// The rows from the top.
-    pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut [[f64; 3]]> {
-        self.pixels.chunks_mut((self.side as usize).max(1))
     }
 
     /// The pixel in this row of the band and this column of the film.

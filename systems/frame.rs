@@ -10,9 +10,10 @@ use crate::components::range::MAX_PIXELS;
 use crate::effects::EffectSet;
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, SceneTables};
+use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, Refinement, SceneTables};
 
 use super::WorldProblem;
+use super::problem::lacking;
 
 /// The tables of one precision, kept from frame to frame.
 #[derive(Resource, Default)]
@@ -63,7 +64,7 @@ impl<T: Real> Tables<T> {
 
     /// Everything that is wrong with the World, as of the last extraction.
     pub fn problems(&self) -> Vec<WorldProblem> {
-        self.problems.values().flatten().cloned().collect()
+        self.problems.values().flatten().cloned().chain(lacking(self.effects())).collect()
     }
 }
 
@@ -72,6 +73,7 @@ impl<T: Real> Tables<T> {
 pub struct Frame {
     pub(super) film: Film,
     pub(super) counts: Counts,
+    pub(super) refinement: Option<Refinement>,
     pub(super) error: Option<FrameError>,
 }
 
@@ -82,6 +84,13 @@ impl Frame {
             Some(error) => Err(error.clone()),
             None => Ok((&self.film, &self.counts)),
         }
+    }
+}
+
+impl Frame {
+    /// How many samples each pixel has, where that was decided pixel by pixel.
+    pub fn refinement(&self) -> Option<&Refinement> {
+        self.refinement.as_ref()
     }
 }
 

@@ -38,6 +38,8 @@ mod problem;
 mod shape_tables;
 mod survey_effects;
 mod trace;
+mod trace_adaptive;
+mod trace_windows;
 mod workers;
 
 use bevy_ecs::prelude::*;
@@ -66,6 +68,8 @@ pub use muted::Muted;
 pub use problem::WorldProblem;
 pub use survey_effects::{Survey, carriers_of, take_away};
 pub use trace::{trace_pass, trace_picture};
+pub use trace_adaptive::trace_adaptive;
+pub use trace_windows::{count_rays, trace_windows};
 pub use workers::{Monitor, Workers, WorkersError};
 
 /// Parts of a frame, in the order in which they run.

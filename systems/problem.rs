@@ -5,6 +5,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::components::range::{COORDINATE, EXTENT, LENGTH, Range};
+use crate::effects::{Effect, EffectSet};
 use crate::geometry::Real;
 
 /// Something in the World that cannot be traced. Nothing is traced while there is one.
@@ -108,6 +109,12 @@ pub enum WorldProblem {
         /// When it closes.
         close: f64,
     },
+    /// Effects of which this program has no code.
+    #[error("the World asks for {effects}, but this program was built without (ARCHETRACE_WITHOUT)")]
+    NotCompiled {
+        /// Their names.
+        effects: String,
+    },
     /// No camera, or more than one.
     #[error("the World must have one camera (an entity with CameraPose and Lens), but has {found}")]
     Cameras {
@@ -126,6 +133,15 @@ pub enum WorldProblem {
         /// Most allowed.
         high: u32,
     },
+}
+
+/// What is wrong with a World that asks for effects that this program was built without.
+pub(super) fn lacking(asked: EffectSet) -> Option<WorldProblem> {
+    let effects = asked.minus(EffectSet::COMPILED);
+    (!effects.is_empty()).then(|| {
+        let names: Vec<_> = effects.iter().map(Effect::name).collect();
+        WorldProblem::NotCompiled { effects: names.join(", ") }
+    })
 }
 
 /// Checks values of one entity after the other and keeps what is wrong.

@@ -3,18 +3,19 @@
 use bevy_ecs::prelude::*;
 use rayon::prelude::*;
 
-use crate::components::{Sampling, Snapshot};
+use crate::components::{Adaptive, Cutoff, Sampling, Snapshot};
 use crate::film::{Film, FilmBand};
 use crate::geometry::Real;
-use crate::trace::{Counts, Exposure, SampleGrid};
+use crate::trace::{Counts, Depth, Exposure, Refinement, SampleGrid};
 
-use super::{Frame, FrameError, Monitor, Tables, Workers};
+use super::{Frame, FrameError, Monitor, Tables, Workers, trace_adaptive};
 
 /// Traces the frame, bands in parallel. Every pixel is a function of the tables alone, and counts are whole
 /// numbers, so neither depends on which thread did what.
 pub(super) fn trace<T: Real>(
     tables: Res<Tables<T>>,
     (snapshot, sampling): (Res<Snapshot>, Res<Sampling>),
+    (adaptive, cutoff): (Option<Res<Adaptive>>, Option<Res<Cutoff>>),
     (workers, monitor): (Res<Workers>, Res<Monitor>),
     mut frame: ResMut<Frame>,
 ) {
@@ -35,10 +36,29 @@ pub(super) fn trace<T: Real>(
     }
     let grid = SampleGrid::new(sampling.side);
     let kernel = workers.kernel_for(tables.effects());
-    let exposure = Exposure { tables: &tables.scene, camera, level: snapshot.level, grid, kernel };
-    frame.counts = trace_picture(&exposure, &mut frame.film, &workers, &monitor);
+    let depth = Depth { level: snapshot.level, cutoff: T::from_f64(cutoff.map_or(0.0, |cutoff| cutoff.0)) };
+    let exposure = Exposure { depth, grid, kernel, ..Exposure::new(&tables.scene, camera, snapshot.level) };
+    let threshold = adaptive.map(|adaptive| adaptive.threshold);
+    (frame.counts, frame.refinement) = trace_film(&exposure, threshold, &mut frame.film, &workers, &monitor);
     if monitor.is_cancelled() {
         frame.error = Some(FrameError::Cancelled);
+    }
+}
+
+/// Traces a film with as many samples everywhere, or until their error is expected to be no more than a threshold.
+pub(super) fn trace_film<T: Real>(
+    exposure: &Exposure<'_, T>,
+    threshold: Option<f64>,
+    film: &mut Film,
+    workers: &Workers,
+    monitor: &Monitor,
+) -> (Counts, Option<Refinement>) {
+    match threshold {
+        None => (trace_picture(exposure, film, workers, monitor), None),
+        Some(threshold) => {
+            let (counts, refinement) = trace_adaptive(exposure, threshold, film, workers, monitor);
+            (counts, Some(refinement))
+        }
     }
 }
 

@@ -113,7 +113,17 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/study",
-        crates: &[("bevy_ecs", All), ("glam", Only(&["tests.rs"])), ("plotters", Only(&["bars.rs"]))],
+        crates: &[
+            ("bevy_ecs", All),
+            ("glam", Only(&["tests.rs"])),
+            ("plotters", Only(&["bars.rs"])),
+            ("colorous", Only(&["heat.rs"])),
+            ("csv", Only(&["table.rs"])),
+            ("maud", Only(&["mod.rs", "pictures.rs", "plot.rs", "prices.rs", "rows.rs", "words.rs"])),
+            ("base64", Only(&["pictures.rs"])),
+            ("serde", All),
+            ("serde_json", Only(&["table.rs"])),
+        ],
         rooms: &["components", "effects", "film", "geometry", "systems", "trace"],
         may: &[],
     },

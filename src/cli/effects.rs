@@ -7,31 +7,31 @@ use bevy_ecs::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
-use crate::components::{CameraPose, Checkerboard, Cube, Light, Position, Pyramid, Sphere};
+use crate::components::{CameraPose, Checkerboard, Cube, Light, Position, Precision, Pyramid, Sphere};
 use crate::geometry::Real;
-use crate::study::{Ablation, EffectPrice, Removal, ablate, draw_bars};
+use crate::study::{Ablation, EffectPrice, Removal, Setting, ablate, draw_bars};
 use crate::systems::{Workers, carriers_of, prepare};
 use crate::whole_file::{check_writable, write_whole};
 
-use super::args::{EffectsArgs, Precision};
+use super::args::EffectsArgs;
 use super::instructions::Instructions;
 use super::load::load_picture;
 use super::{CliError, print};
 
 /// Says what effects a scene asks for, and what each costs.
 pub(super) fn effects(args: &EffectsArgs) -> Result<(), CliError> {
-    match args.picture.precision {
-        Precision::F64 => effects_as::<f64>(args),
-        Precision::F32 => effects_as::<f32>(args),
-    }
-}
-
-fn effects_as<T: Real>(args: &EffectsArgs) -> Result<(), CliError> {
     if let Some(chart) = &args.chart {
         check_writable(chart)?;
     }
     let mut world = World::new();
-    load_picture(&args.scene, &args.picture, &mut world)?;
+    let setting = load_picture(&args.scene, &args.picture, &mut world)?;
+    match setting.precision {
+        Precision::F64 => report::<f64>(args, setting, world),
+        Precision::F32 => report::<f32>(args, setting, world),
+    }
+}
+
+fn report<T: Real>(args: &EffectsArgs, setting: Setting, mut world: World) -> Result<(), CliError> {
     prepare::<T>(&mut world, Workers::new(args.picture.threads)?);
     let start = Instant::now();
     let clock = || start.elapsed().as_secs_f64() * 1e3;
@@ -41,7 +41,8 @@ fn effects_as<T: Real>(args: &EffectsArgs) -> Result<(), CliError> {
         progress.set_position(done.into());
     })?;
     progress.finish_and_clear();
-    let instructions = args.instructions.then(|| Instructions::measure(args, &ablation)).transpose()?;
+    let instructions =
+        args.instructions.then(|| Instructions::measure(args, setting, &ablation)).transpose()?;
     let rows: Vec<Row> =
         ablation.effects.iter().map(|price| Row::new(price, &mut world, instructions.as_ref())).collect();
     if let Some(chart) = &args.chart {

@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
 
-use crate::components::{CameraPose, Checkerboard, Snapshot, Texture, Textured};
+use crate::components::{CameraPose, Checkerboard, Precision, Texture, Textured};
 use crate::image_file::{ImageFileError, decode_texture, load_texture};
 use crate::scene::{Source, spawn};
+use crate::study::Setting;
 
 use super::args::{CameraArgs, ImageArgs, PictureArgs};
 use super::{CliError, say};
@@ -22,21 +23,16 @@ pub(super) fn load_world(path: &Path, world: &mut World) -> Result<usize, CliErr
     Ok(loaded.warnings.len())
 }
 
-/// Reads and spawns a scene, and puts what the command line says over what the scene says.
-pub(super) fn load_picture(
-    scene: &Path,
-    args: &PictureArgs,
-    world: &mut World,
-) -> Result<Snapshot, CliError> {
+/// Reads and spawns a scene, and puts what the command line says over what the scene says. Returns the accuracy that it
+/// is to be traced with.
+pub(super) fn load_picture(scene: &Path, args: &PictureArgs, world: &mut World) -> Result<Setting, CliError> {
     load_world(scene, world)?;
     lay_texture(&args.images, scene, world)?;
-    let mut snapshot = world.resource_mut::<Snapshot>();
-    snapshot.pixels = args.size.unwrap_or(snapshot.pixels);
-    snapshot.level = args.level.unwrap_or(snapshot.level);
-    let snapshot = *snapshot;
-    world.insert_resource(args.samples);
     aim(&args.camera, world)?;
-    Ok(snapshot)
+    let own = Setting::of(world, Precision::F64);
+    let setting = args.accuracy.setting(Setting { pixels: args.size.unwrap_or(own.pixels), ..own });
+    setting.apply(world);
+    Ok(setting)
 }
 
 /// Images for the checkerboard: the ones named, else those beside the scene, else the built-in ones.

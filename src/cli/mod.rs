@@ -4,6 +4,7 @@
 
 mod args;
 mod check;
+mod cost;
 mod effects;
 mod instructions;
 mod load;
@@ -38,6 +39,7 @@ pub fn run() -> ExitCode {
         Command::Preview(args) => preview::preview(&args),
         Command::Check(args) => check::check(&args),
         Command::Effects(args) => effects::effects(&args),
+        Command::Cost(args) => cost::cost(&args),
         Command::Write(args) => write::write(&args),
         Command::Selfcheck(args) => selfcheck::selfcheck(&args),
         #[cfg(feature = "viewer")]
@@ -82,6 +84,10 @@ enum CliError {
     Chart,
     #[error("cannot count instructions: {0}")]
     Instructions(String),
+    #[error("cannot make the folder {0}: {1}")]
+    Folder(String, io::Error),
+    #[error("cannot write the table: {0}")]
+    Table(#[from] csv::Error),
     #[error("cannot encode statistics: {0}")]
     Stats(#[from] serde_json::Error),
     #[cfg(feature = "viewer")]

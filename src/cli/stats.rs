@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
-use crate::components::{Sampling, Snapshot};
 use crate::geometry::Real;
+use crate::study::{Choice, Knobs, Setting};
 use crate::systems::Tables;
 use crate::trace::Counts;
 
@@ -18,7 +18,19 @@ pub(super) struct Stats {
     threads: usize,
     pixels: u64,
     samples: u64,
+    /// Of a pixel, on average: fewer than `samples` where that was decided pixel by pixel.
+    mean_samples: f64,
     level: u32,
+    setting: Knobs,
+    /// Of the trace, where the setting was chosen from a wish; beside it what `phases_ms.trace` is in fact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    predicted_ms: Option<f64>,
+    /// Of the picture, where the setting was chosen from a wish.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    predicted_psnr_db: Option<f64>,
+    /// Whether the wish is expected to be met.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wish_met: Option<bool>,
     phases_ms: Phases,
     rays: Rays,
     rows: BTreeMap<&'static str, usize>,
@@ -31,6 +43,8 @@ pub(super) struct Stats {
 pub(super) struct Phases {
     /// Reading, parsing, spawning, textures.
     pub(super) load: f64,
+    /// Choosing a setting from a wish.
+    pub(super) choose: f64,
     /// World to tables.
     pub(super) extract: f64,
     /// Building what makes large tables fast to search.
@@ -52,7 +66,7 @@ struct Rays {
 impl Stats {
     /// The statistics of one picture.
     pub(super) fn new<T: Real>(
-        (snapshot, sampling): (Snapshot, Sampling),
+        (setting, mean_samples): (Setting, Option<f64>),
         threads: usize,
         phases: Phases,
         counts: &Counts,
@@ -64,9 +78,14 @@ impl Stats {
             version: env!("CARGO_PKG_VERSION"),
             precision: T::NAME,
             threads,
-            pixels: u64::from(snapshot.pixels).pow(2),
-            samples: u64::from(sampling.side).pow(2),
-            level: snapshot.level,
+            pixels: u64::from(setting.pixels).pow(2),
+            samples: u64::from(setting.side).pow(2),
+            mean_samples: mean_samples.unwrap_or(f64::from(setting.side * setting.side)),
+            level: setting.level,
+            setting: setting.knobs(),
+            predicted_ms: None,
+            predicted_psnr_db: None,
+            wish_met: None,
             phases_ms: phases,
             rays: Rays {
                 primary: counts.rays.primary,
@@ -80,6 +99,16 @@ impl Stats {
                 .collect(),
             effects: effects.iter().filter(|count| count.rows > 0).map(|count| count.effect.name()).collect(),
             non_finite: counts.non_finite,
+        }
+    }
+
+    /// With what was predicted of it.
+    pub(super) fn with_prediction(self, choice: Option<&Choice>) -> Self {
+        Self {
+            predicted_ms: choice.map(|choice| choice.point.milliseconds),
+            predicted_psnr_db: choice.map(|choice| choice.point.psnr_db()),
+            wish_met: choice.map(|choice| choice.meets),
+            ..self
         }
     }
 

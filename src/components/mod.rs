@@ -25,5 +25,5 @@ pub use camera_input::{CameraInput, CameraMove};
 pub use glass::{Absorption, Glass};
 pub use light::{AreaLight, Directional, Falloff, Light, LightColor, SpotCone};
 pub use object::{Checkerboard, Cube, Order, Position, Pyramid, Sphere, Velocity};
-pub use settings::{FrameTime, Precision, Sampling, Snapshot};
+pub use settings::{Adaptive, Cutoff, FrameTime, Precision, Sampling, Snapshot};
 pub use surface::{Ambient, CheckerFilter, Color, Diffuse, Gloss, Mirror, Texture, TextureFilter, Textured};

@@ -53,7 +53,7 @@ pub const INDEX: Range = Range::closed(0.1, 10.0, "a number from 0.1 to 10");
 /// A density of fog or absorption in 1/unit.
 pub const DENSITY: Range = Range::closed(0.0, 1e150, "a number from 0 to 1e150");
 /// Shadow rays towards one light.
-pub const LIGHT_SAMPLES: Range = Range::closed(1.0, 4096.0, "a number from 1 to 4096");
+pub const LIGHT_SAMPLES: Range = Range::closed(1.0, MAX_LIGHT_SAMPLES as f64, "a number from 1 to 4096");
 /// The angle between axis and side of a spot cone, in degrees.
 pub const CUTOFF: Range = Range::closed(0.0, 180.0, "an angle from 0 to 180 degrees");
 /// A field of view in degrees.
@@ -74,3 +74,5 @@ pub const MAX_PIXELS: u32 = 8192;
 pub const MAX_LEVEL: u32 = 1000;
 /// Most sample points along one side of a pixel.
 pub const MAX_GRID: u32 = 64;
+/// Most shadow rays towards one light.
+pub const MAX_LIGHT_SAMPLES: u32 = 4096;

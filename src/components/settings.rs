@@ -42,6 +42,21 @@ impl Default for Sampling {
     }
 }
 
+/// Samples only where they matter. As a resource of the World it asks for the points of [`Sampling`] one after the
+/// other, and each pixel stops where its error is expected to be small enough.
+#[derive(Resource, Clone, Copy, Debug, PartialEq)]
+pub struct Adaptive {
+    /// Expected error of a pixel, 0 to 1, at which it gets no more samples.
+    pub threshold: f64,
+}
+
+/// Rays not worth following. As a resource of the World it ends paths through mirrors and glass early.
+#[derive(Resource, Clone, Copy, Debug, PartialEq)]
+pub struct Cutoff(
+    /// Share of the light in a pixel, 0 to 1: a ray that carries no more is not traced.
+    pub f64,
+);
+
 /// The time of the frame, for systems that move things. The window sets it before each frame; a program without one
 /// sets it itself.
 #[derive(Resource, Clone, Copy, Debug, Default, PartialEq)]

@@ -137,6 +137,23 @@ impl EffectSet {
         Self(self.0 | other.0)
     }
 
+    /// These, if they are among others as well.
+    #[must_use]
+    pub const fn intersection(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// These but for others.
+    #[must_use]
+    pub const fn minus(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    /// Whether there is none.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
     /// These but for one.
     #[must_use]
     pub const fn without(self, effect: Effect) -> Self {

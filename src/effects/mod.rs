@@ -8,6 +8,7 @@ mod area_light;
 mod background;
 mod checker;
 mod checker_filter;
+mod compiled;
 mod diffuse;
 mod disk;
 mod effect;

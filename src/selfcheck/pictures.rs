@@ -7,8 +7,8 @@ use crate::effects::Rgb;
 use crate::film::Film;
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    BoardPaint, CameraRays, Counts, Exposure, GlossRow, Kernel, LightRow, SampleGrid, SampleId, SceneTables,
-    Simd, SurfaceRow, radiance,
+    BoardPaint, CameraRays, Counts, Exposure, GlossRow, Kernel, LightRow, SampleId, SceneTables, Simd,
+    SurfaceRow, radiance,
 };
 
 use super::random::Random;
@@ -68,7 +68,7 @@ fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>, index: u32, counts: &mut Coun
     let (column, row) = (index % PIXELS, index / PIXELS);
     let sample = SampleId { column, row, index: 0 };
     let start = exposure.camera.ray(column, row);
-    let color = radiance(exposure.tables, start, exposure.level, sample, counts);
+    let color = radiance(exposure.tables, start, exposure.depth, sample, counts).color;
     color.to_f64().map(|channel| channel.clamp(0.0, 1.0))
 }
 
@@ -93,13 +93,7 @@ pub fn check_pictures<T: Real>(scenes: u64, seed: u64) -> Tally {
         let random = &mut Random::new(seed.wrapping_add(number));
         let tables = scene::<T>(random);
         let Some(camera) = camera::<T>(random) else { continue };
-        let exposure = Exposure {
-            tables: &tables,
-            camera: &camera,
-            level: LEVEL,
-            grid: SampleGrid::CENTER,
-            kernel: Kernel::smallest_for(tables.effects()),
-        };
+        let exposure = Exposure::new(&tables, &camera, LEVEL);
         let mut counts = Counts::default();
         let truth: Vec<_> =
             (0..PIXELS * PIXELS).map(|index| ray_by_ray(&exposure, index, &mut counts)).collect();

@@ -1,7 +1,9 @@
 //! What repeated measurements say.
 
+use serde::Serialize;
+
 /// Repeated measurements in brief.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Spread {
     /// The least.
     pub min: f64,

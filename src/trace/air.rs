@@ -1,7 +1,9 @@
 //! What surrounds all objects.
 
-use crate::effects::{Gradient, Haze, Rgb};
+use crate::effects::{Effect, Gradient, Haze, Rgb};
 use crate::geometry::{Real, Vector};
+
+use super::kernel::known;
 
 /// What lies beyond all surfaces, and between them; what does nothing is not there.
 #[derive(Clone, Copy, Debug, Default)]
@@ -18,7 +20,17 @@ impl<T: Real> Air<T> {
         self.background.is_none() && self.haze.is_none()
     }
 
+    /// What code for these effects knows of it.
+    #[inline(always)]
+    pub(super) fn of_kernel<const EFFECTS: u32>(&self) -> Self {
+        Self {
+            background: known::<EFFECTS, _>(Effect::Background, self.background),
+            haze: known::<EFFECTS, _>(Effect::Fog, self.haze),
+        }
+    }
+
     /// The light that arrives from a unit direction in which there is no surface.
+    #[inline(always)]
     pub(super) fn beyond(&self, direction: Vector<T>) -> Rgb<T> {
         match (&self.haze, &self.background) {
             (Some(haze), _) => haze.color,

@@ -1,9 +1,10 @@
 //! Rays of the camera.
 
 use crate::components::{Aperture, CameraPose, Lens};
-use crate::effects::{PixelCone, disk_point};
+use crate::effects::{Effect, EffectSet, PixelCone, disk_point};
 use crate::geometry::{Ray, Real, Vector};
 
+use super::kernel::known;
 use super::{CameraEffects, Purpose, SampleId};
 
 /// Rays through the pixel centres of a square picture, starting on the near plane.
@@ -90,8 +91,21 @@ impl<T: Real> CameraRays<T> {
     /// A thin lens bends whatever passes it through a pixel to one point of the plane in focus, so the ray goes there
     /// from a point of the lens. It starts on the near plane and reaches to the far one as all rays do.
     pub fn sample(&self, column: u32, row: u32, sample: SampleId) -> CameraRay<T> {
+        self.sample_of::<{ EffectSet::COMPILED.bits() }>(column, row, sample)
+    }
+
+    /// [`sample`](Self::sample) of a camera that has no effects but these.
+    #[inline(always)]
+    pub(super) fn sample_of<const EFFECTS: u32>(
+        &self,
+        column: u32,
+        row: u32,
+        sample: SampleId,
+    ) -> CameraRay<T> {
         let direction = self.through_pixel(column, row);
-        let Some(aperture) = self.effects.aperture else { return self.near_plane_ray(self.eye, direction) };
+        let Some(aperture) = known::<EFFECTS, _>(Effect::Aperture, self.effects.aperture) else {
+            return self.near_plane_ray(self.eye, direction);
+        };
         let on_lens = self.on_lens(&aperture, sample);
         self.near_plane_ray(self.eye + on_lens, direction - on_lens / T::from_f64(aperture.focus))
     }

@@ -1,9 +1,10 @@
 //! The own colour of a surface over what a pixel covers of it.
 
 use crate::components::Texture;
-use crate::effects::{CellPoint, MipChain, PixelCone, Rgb, bilinear_color, cell_point, white_share};
+use crate::effects::{CellPoint, Effect, MipChain, PixelCone, Rgb, bilinear_color, cell_point, white_share};
 use crate::geometry::{Real, Vector};
 
+use super::kernel::{has, known};
 use super::shade::own_color;
 use super::{BoardTexture, ImageFilter, Kind, ObjectId, SceneTables};
 
@@ -19,21 +20,22 @@ pub(super) struct PixelSpot<T> {
 
 /// The [`own_color`] of an object, averaged over what the pixel covers of it where a filter asks for that.
 #[inline(always)]
-pub(super) fn filtered_color<T: Real>(
+pub(super) fn filtered_color<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     object: ObjectId,
     plain: Rgb<T>,
     spot: PixelSpot<T>,
 ) -> Rgb<T> {
     let boards = &tables.boards.shapes;
-    let is_filtered = object.kind == Kind::Board && boards.has_filters();
-    let filtered = if is_filtered { board_color(tables, object, plain, spot) } else { None };
-    filtered.unwrap_or_else(|| own_color(tables, object, plain, spot.point))
+    let knows_filters = has::<EFFECTS>(Effect::TextureFilter) || has::<EFFECTS>(Effect::CheckerFilter);
+    let is_filtered = knows_filters && object.kind == Kind::Board && boards.has_filters();
+    let filtered = if is_filtered { board_color::<T, EFFECTS>(tables, object, plain, spot) } else { None };
+    filtered.unwrap_or_else(|| own_color::<T, EFFECTS>(tables, object, plain, spot.point))
 }
 
 /// The colour of a checkerboard that has a filter.
 #[inline(never)]
-fn board_color<T: Real>(
+fn board_color<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     object: ObjectId,
     plain: Rgb<T>,
@@ -44,11 +46,11 @@ fn board_color<T: Real>(
     let (origin, width) = boards.pattern(row);
     let at = cell_point(spot.point.x - origin.x, spot.point.y - origin.y, width);
     let covered = spot.cone.on_level_plane(spot.direction).map(|length| length / width);
-    if boards.checker_filters.get(row).is_some() {
+    if has::<EFFECTS>(Effect::CheckerFilter) && boards.checker_filters.get(row).is_some() {
         return Some(plain * white_share(at, covered));
     }
-    let images = boards.textures.get(row)?;
-    Some(image_color(images, boards.texture_filters.get(row)?, at, covered))
+    let filter = known::<EFFECTS, _>(Effect::TextureFilter, boards.texture_filters.get(row))?;
+    Some(image_color(boards.textures.get(row)?, filter, at, covered))
 }
 
 /// The colour of the image of a cell, of which a pixel covers some share along each axis.

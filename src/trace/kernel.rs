@@ -26,6 +26,10 @@ impl Kernel {
 
     /// The effects that it is compiled for.
     pub const fn effects(self) -> EffectSet {
+        self.intended().intersection(EffectSet::COMPILED)
+    }
+
+    const fn intended(self) -> EffectSet {
         match self {
             Self::Plain => ELSEWHERE,
             Self::Assignment => EffectSet::of(&[
@@ -40,11 +44,23 @@ impl Kernel {
         }
     }
 
-    /// The smallest one that has these effects.
+    /// The smallest one that has these effects; the largest where none has them.
     pub fn smallest_for(effects: EffectSet) -> Self {
         let mut able = Self::ALL.into_iter().filter(|kernel| effects.is_subset(kernel.effects()));
         able.next().unwrap_or(Self::Everything)
     }
+}
+
+/// Whether code for the effects of these bits has one of them.
+#[inline(always)]
+pub(super) const fn has<const EFFECTS: u32>(effect: Effect) -> bool {
+    EffectSet::from_bits(EFFECTS).contains(effect)
+}
+
+/// What a row has of an effect, for code that may not know of it: nothing then, and nobody looks.
+#[inline(always)]
+pub(super) fn known<const EFFECTS: u32, R>(effect: Effect, row: Option<R>) -> Option<R> {
+    if has::<EFFECTS>(effect) { row } else { None }
 }
 
 #[cfg(test)]
@@ -58,10 +74,16 @@ mod tests {
         }
     }
 
+    /// What kernels have, and what differs from that by one or two effects.
+    fn sets() -> impl Iterator<Item = EffectSet> {
+        let kernels = Kernel::ALL.into_iter().map(Kernel::effects).chain([EffectSet::NONE]);
+        let pairs = || Effect::ALL.into_iter().flat_map(|a| Effect::ALL.map(|b| EffectSet::of(&[a, b])));
+        kernels.flat_map(move |set| pairs().flat_map(move |pair| [set.union(pair), set.minus(pair)]))
+    }
+
     #[test]
     fn every_set_gets_the_smallest_kernel_that_has_it() {
-        for bits in 0..=EffectSet::ALL.bits() {
-            let set = EffectSet::from_bits(bits);
+        for set in sets() {
             let chosen = Kernel::smallest_for(set);
             assert!(set.is_subset(chosen.effects()));
             assert!(Kernel::ALL.into_iter().all(|k| k >= chosen || !set.is_subset(k.effects())));

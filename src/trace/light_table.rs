@@ -1,9 +1,10 @@
 //! Lights.
 
-use crate::effects::{Ball, Cone, Rgb};
+use crate::effects::{Ball, Cone, Effect, Rgb};
 use crate::geometry::{Real, Vector};
 
 use super::EffectColumn;
+use super::kernel::known;
 use super::shape_columns::VectorColumns;
 
 /// Lights.
@@ -37,6 +38,21 @@ pub struct LightRow<T> {
     pub toward: Option<Vector<T>>,
     /// Extent, unless it is a point.
     pub ball: Option<Ball<T>>,
+}
+
+impl<T: Real> LightRow<T> {
+    /// What code for these effects knows of it.
+    #[inline(always)]
+    pub(super) fn of_kernel<const EFFECTS: u32>(self) -> Self {
+        Self {
+            position: self.position,
+            falloff: known::<EFFECTS, _>(Effect::Falloff, self.falloff),
+            cone: known::<EFFECTS, _>(Effect::SpotCone, self.cone),
+            color: known::<EFFECTS, _>(Effect::LightColor, self.color),
+            toward: known::<EFFECTS, _>(Effect::Directional, self.toward),
+            ball: known::<EFFECTS, _>(Effect::AreaLight, self.ball),
+        }
+    }
 }
 
 impl<T: Real> LightTable<T> {

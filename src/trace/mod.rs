@@ -4,6 +4,7 @@
 //! from tables that do not change under it, so every pixel is a pure function of tables, camera and level, and
 //! the picture is the same for every tiling and number of threads.
 
+mod adaptive;
 mod air;
 mod camera;
 mod camera_effects;
@@ -18,6 +19,7 @@ mod light_table;
 mod motion;
 mod occlusion;
 mod packet;
+mod pixels;
 mod radiance;
 mod samples;
 mod sequence;
@@ -28,8 +30,10 @@ mod stream;
 mod surface_table;
 mod tables;
 mod tile;
+mod trail;
 mod tree;
 
+pub use adaptive::{RefinedBand, Refinement, error_of_mean};
 pub use air::Air;
 pub use camera::{CameraRay, CameraRays};
 pub use camera_effects::CameraEffects;
@@ -42,7 +46,7 @@ pub use kernel::Kernel;
 pub use light_table::{LightRow, LightTable};
 pub use motion::MovingRow;
 pub use occlusion::is_occluded;
-pub use radiance::radiance;
+pub use radiance::{Depth, Radiance, radiance};
 pub use samples::{SampleGrid, SamplePoint};
 pub use sequence::{Purpose, SampleId, Sequence};
 pub use shape_columns::{
@@ -54,4 +58,5 @@ pub use stream::Query;
 pub use surface_table::{GlassRow, GlossRow, SurfaceRow, SurfaceTable};
 pub use tables::{SceneTables, ShapeTable, Trees};
 pub use tile::Exposure;
+pub use trail::Trail;
 pub use tree::{Fork, Packed, SMALLEST_TREE, Sequential, Tree, refit_tree};

@@ -1,41 +1,88 @@
 //! The recursion.
 
-use crate::effects::{PixelCone, Rgb, left_by, reflect, split, split_at_sheet};
+use crate::effects::{Effect, EffectSet, PixelCone, Rgb, left_by, reflect, split, split_at_sheet};
 use crate::geometry::{Convex, Ray, Real, Side, SurfacePoint, Vector};
 
 use super::filtered_color::{PixelSpot, filtered_color};
+use super::kernel::{has, known};
 use super::shade::{Lighting, Look, Shaded};
 use super::{
-    CameraRay, Counts, Departure, Hit, Kind, SampleId, SceneTables, ShapeColumns, SurfaceRow, closest_hit,
+    CameraRay, Counts, Departure, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns, SurfaceRow,
+    Trail, closest_hit,
 };
 
 /// Where glass splits a ray in two, no part is followed of which less than this, in every channel, would reach the pixel.
 /// The parts of a ray are together no stronger than it is, so there are never more than 3 * 4096, at any level.
 const SMALLEST_PART: f64 = 1.0 / 4096.0;
 
+/// How far a path is followed.
+#[derive(Clone, Copy, Debug)]
+pub struct Depth<T> {
+    /// Rays that may follow each other.
+    pub level: u32,
+    /// Share of the light in the pixel, 0 to 1: a ray that carries no more in any channel is not followed.
+    pub cutoff: T,
+}
+
+impl<T: Real> Depth<T> {
+    /// As far as the level allows, as long as anything arrives.
+    pub fn of_level(level: u32) -> Self {
+        Self { level, cutoff: T::ZERO }
+    }
+}
+
+/// What a path found.
+#[derive(Clone, Copy, Debug)]
+pub struct Radiance<T> {
+    /// Not clamped.
+    pub color: Rgb<T>,
+    /// What it met.
+    pub trail: Trail,
+}
+
+impl<T: Real> Default for Radiance<T> {
+    /// Nothing.
+    fn default() -> Self {
+        Self { color: Rgb::BLACK, trail: Trail::default() }
+    }
+}
+
 /// The radiance that arrives along a ray of the camera from surfaces within its reach, followed through mirrors and glass
-/// for at most `level` rays in a row (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
+/// for at most `depth.level` rays in a row (T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980).
 /// Not clamped. The caller counts the ray itself.
 ///
 /// The recursion `local + r * (local + r * ...)` is a loop that carries the product of the shares: no level overflows a
 /// stack. Glass sends on two rays; one of them waits, so that at most one does for each ray in a row.
-#[inline(never)]
 pub fn radiance<T: Real>(
     tables: &SceneTables<T>,
     start: CameraRay<T>,
-    level: u32,
+    depth: Depth<T>,
     sample: SampleId,
     counts: &mut Counts,
-) -> Rgb<T> {
-    let Some(remaining) = level.checked_sub(1) else { return Rgb::BLACK };
+) -> Radiance<T> {
+    radiance_of::<T, { EffectSet::COMPILED.bits() }>(tables, start, depth, sample, counts)
+}
+
+/// [`radiance`] in a scene that has no effects but these.
+#[inline(never)]
+pub(super) fn radiance_of<T: Real, const EFFECTS: u32>(
+    tables: &SceneTables<T>,
+    start: CameraRay<T>,
+    depth: Depth<T>,
+    sample: SampleId,
+    counts: &mut Counts,
+) -> Radiance<T> {
+    let Some(remaining) = depth.level.checked_sub(1) else { return Radiance::default() };
     let CameraRay { ray, reach, cone } = start;
     let first = Path { ray, reach, cone, departure: Departure::Free, weight: Rgb::WHITE, remaining };
-    let mut walk = Walk { tables, sample, rays: 0, sum: Rgb::BLACK, waiting: Vec::new() };
+    let cutoff = depth.cutoff;
+    let found = Radiance::default();
+    let mut walk = Walk::<T, EFFECTS> { tables, cutoff, sample, rays: 0, found, waiting: Vec::new() };
     let mut next = Some(first);
     while let Some(path) = next {
-        next = walk.follow(&path, counts).or_else(|| walk.waiting.pop());
+        next = walk.follow(&path, counts).or_else(|| walk.next_waiting());
     }
-    walk.sum
+    walk.found
 }
 
 /// A ray on its way, and what becomes of the light that it finds.
@@ -52,12 +99,13 @@ struct Path<T> {
 }
 
 /// All rays of one sample.
-struct Walk<'a, T: Real> {
+struct Walk<'a, T: Real, const EFFECTS: u32> {
     tables: &'a SceneTables<T>,
+    cutoff: T,
     sample: SampleId,
     /// Rays so far.
     rays: u32,
-    sum: Rgb<T>,
+    found: Radiance<T>,
     waiting: Vec<Path<T>>,
 }
 
@@ -67,18 +115,24 @@ struct Onward<T> {
     refracted: Option<(T, Vector<T>)>,
 }
 
-impl<T: Real> Walk<'_, T> {
+impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
+    #[inline(always)]
+    fn next_waiting(&mut self) -> Option<Path<T>> {
+        if has::<EFFECTS>(Effect::Glass) { self.waiting.pop() } else { None }
+    }
+
     /// Adds the light that one ray finds, and says how it goes on.
     #[inline(always)]
     fn follow(&mut self, path: &Path<T>, counts: &mut Counts) -> Option<Path<T>> {
         let tables = self.tables;
         self.rays += 1;
         let Some(hit) = closest_hit(tables, &path.ray, &path.departure, path.reach) else {
-            self.sum += tables.air.beyond(path.ray.direction) * path.weight;
+            self.found.color += tables.air.of_kernel::<EFFECTS>().beyond(path.ray.direction) * path.weight;
             return None;
         };
         let (surfaces, row) = tables.surface(hit.object);
-        let surface = surfaces.row(row);
+        let surface = surfaces.row(row).of_kernel::<EFFECTS>();
+        self.found.trail = self.found.trail.after(ObjectId::packed(hit.object.kind, hit.object.row));
         let weight = self.dim(path, &hit, &surface);
         if weight == Rgb::BLACK {
             return None;
@@ -90,7 +144,7 @@ impl<T: Real> Walk<'_, T> {
         let needs_mirrored = surface.gloss.is_some() || onward.reflected != T::ZERO;
         let mirrored = if needs_mirrored { reflect(direction, shaded.normal) } else { direction };
         let cone = path.cone.after(hit.crossing.t);
-        let own = filtered_color(
+        let own = filtered_color::<T, EFFECTS>(
             tables,
             hit.object,
             surface.color,
@@ -98,7 +152,7 @@ impl<T: Real> Walk<'_, T> {
         );
         let look = Look { sample: self.sample, ray: self.rays };
         let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
-        self.sum += lighting.shade(own, counts) * weight;
+        self.found.color += lighting.shade::<EFFECTS>(own, &mut self.found.trail, counts) * weight;
 
         let leave = |direction, departure, share: T| Path {
             ray: Ray { origin: shaded.point, direction },
@@ -110,9 +164,9 @@ impl<T: Real> Walk<'_, T> {
         };
         let reflected = leave(mirrored, shaded.departure, onward.reflected);
         match onward.refracted {
-            None => {
-                (reflected.weight != Rgb::BLACK).then_some(reflected).inspect(|_| counts.rays.mirror += 1)
-            }
+            None => (reflected.weight.largest() > self.cutoff)
+                .then_some(reflected)
+                .inspect(|_| counts.rays.mirror += 1),
             Some((share, refracted)) => self.part(reflected, leave(refracted, hit.passage(), share), counts),
         }
     }
@@ -126,15 +180,16 @@ impl<T: Real> Walk<'_, T> {
                 .absorption
                 .map_or(path.weight, |absorption| path.weight * left_by(absorption, distance));
         }
-        let Some(haze) = self.tables.air.haze else { return path.weight };
+        let Some(haze) = known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze) else { return path.weight };
         let left = haze.left_after(distance);
-        self.sum += haze.color * path.weight * (T::ONE - left);
+        self.found.color += haze.color * path.weight * (T::ONE - left);
         path.weight * left
     }
 
     /// Of the two rays that glass makes of one, the first to follow; the other one waits.
     fn part(&mut self, reflected: Path<T>, refracted: Path<T>, counts: &mut Counts) -> Option<Path<T>> {
-        let [has_reflected, has_refracted] = [&reflected, &refracted].map(|path| path.weight != Rgb::BLACK);
+        let [has_reflected, has_refracted] =
+            [&reflected, &refracted].map(|path| path.weight.largest() > self.cutoff);
         let smallest = if has_reflected && has_refracted { T::from_f64(SMALLEST_PART) } else { T::ZERO };
         let reflected = Some(reflected).filter(|path| has_reflected && path.weight.largest() >= smallest);
         let refracted = Some(refracted).filter(|path| has_refracted && path.weight.largest() >= smallest);

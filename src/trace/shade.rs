@@ -1,11 +1,13 @@
 //! The light that a surface point sends back by itself.
 
 use crate::components::Texture;
-use crate::effects::{Ball, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index};
+use crate::effects::{Ball, Effect, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index};
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
+use super::kernel::known;
 use super::{
-    Counts, Departure, Hit, Kind, LightRow, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, is_occluded,
+    Counts, Departure, Hit, Kind, LightRow, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail,
+    is_occluded,
 };
 
 /// A surface point as the shading sees it.
@@ -54,33 +56,42 @@ pub(super) struct Lighting<'a, T: Real> {
 struct LightSums<T> {
     lambert: Rgb<T>,
     phong: Rgb<T>,
+    trail: Trail,
 }
 
 impl<T: Real> Lighting<'_, T> {
-    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`.
+    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`. The lights that reach it
+    /// are noted in the trail.
     #[inline(always)]
-    pub(super) fn shade(&self, own: Rgb<T>, counts: &mut Counts) -> Rgb<T> {
+    pub(super) fn shade<const EFFECTS: u32>(
+        &self,
+        own: Rgb<T>,
+        trail: &mut Trail,
+        counts: &mut Counts,
+    ) -> Rgb<T> {
         let surface = self.surface;
-        let sums = self.gather(counts);
+        let sums = self.gather::<EFFECTS>(*trail, counts);
+        *trail = sums.trail;
         let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
         own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
     }
 
     #[inline(always)]
-    fn gather(&self, counts: &mut Counts) -> LightSums<T> {
-        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK };
+    fn gather<const EFFECTS: u32>(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
+        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail };
         for row in 0..self.tables.lights.len() {
-            let light = self.tables.lights.row(row);
+            let light = self.tables.lights.row(row).of_kernel::<EFFECTS>();
             let color = light.color.unwrap_or(Rgb::WHITE);
             if color == Rgb::BLACK {
                 continue;
             }
             if let Some(toward) = light.toward {
-                self.add_parallel(toward, color, &mut sums, counts);
+                self.add_parallel(row, toward, color, &mut sums, counts);
             } else if let Some(ball) = light.ball {
                 self.add_ball(row, &light, ball, color, &mut sums, counts);
             } else {
-                self.add_point(&light, light.position - self.shaded.point, color, &mut sums, counts);
+                let segment = light.position - self.shaded.point;
+                self.add_point(row, &light, segment, color, &mut sums, counts);
             }
         }
         sums
@@ -90,6 +101,7 @@ impl<T: Real> Lighting<'_, T> {
     #[inline(always)]
     fn add_point(
         &self,
+        row: usize,
         light: &LightRow<T>,
         segment: Vector<T>,
         color: Rgb<T>,
@@ -112,15 +124,22 @@ impl<T: Real> Lighting<'_, T> {
         }
         // 4. Lights that something hides.
         if !self.is_hidden(segment, T::ONE, counts) {
-            self.shine(segment.unit(), color * scale, sums);
+            self.shine(row, segment.unit(), color * scale, sums);
         }
     }
 
     /// Light from a unit direction.
     #[inline(always)]
-    fn add_parallel(&self, toward: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>, counts: &mut Counts) {
+    fn add_parallel(
+        &self,
+        row: usize,
+        toward: Vector<T>,
+        color: Rgb<T>,
+        sums: &mut LightSums<T>,
+        counts: &mut Counts,
+    ) {
         if toward.dot(self.shaded.normal) > T::ZERO && !self.is_hidden(toward, T::INFINITY, counts) {
-            self.shine(toward, color, sums);
+            self.shine(row, toward, color, sums);
         }
     }
 
@@ -144,7 +163,8 @@ impl<T: Real> Lighting<'_, T> {
         let first = self.look.sample.index.wrapping_mul(ball.samples);
         for number in 0..ball.samples {
             let on_disk = disk_point(sequence.point(first.wrapping_add(number)));
-            self.add_point(light, ball.point(to_center, on_disk), color * ball.share(), sums, counts);
+            let segment = ball.point(to_center, on_disk);
+            self.add_point(row, light, segment, color * ball.share(), sums, counts);
         }
     }
 
@@ -163,7 +183,8 @@ impl<T: Real> Lighting<'_, T> {
     }
 
     #[inline(always)]
-    fn shine(&self, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+    fn shine(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+        sums.trail = sums.trail.lit_by(row);
         sums.lambert += color * lambert(to_light, self.shaded.normal);
         if let Some(gloss) = self.surface.gloss {
             sums.phong += color * phong(self.mirrored, to_light, gloss.shininess);
@@ -173,7 +194,7 @@ impl<T: Real> Lighting<'_, T> {
 
 /// The own colour of an object at a point: plain, or the pattern or image of a checkerboard.
 #[inline(always)]
-pub(super) fn own_color<T: Real>(
+pub(super) fn own_color<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     object: ObjectId,
     plain: Rgb<T>,
@@ -186,7 +207,7 @@ pub(super) fn own_color<T: Real>(
     let row = object.row as usize;
     let (origin, width) = boards.pattern(row);
     let cell = cell_point(point.x - origin.x, point.y - origin.y, width);
-    match boards.textures.get(row) {
+    match known::<EFFECTS, _>(Effect::Texture, boards.textures.get(row)) {
         Some(texture) => {
             let image = if cell.white { &texture.white } else { &texture.black };
             texel_color(image, cell.along_x, T::ONE - cell.along_y)

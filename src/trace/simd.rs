@@ -9,7 +9,8 @@ use core::marker::PhantomData;
 use crate::geometry::{ByPrecision, Real};
 
 use super::packet::Scratch;
-use super::tile::{Band, BandTask};
+use super::pixels::PixelQueue;
+use super::tile::PacketTask;
 use super::{Counts, Kernel};
 
 /// The vector instructions that pictures are traced with. No picture depends on them, only its time.
@@ -44,50 +45,61 @@ impl Simd {
         levels.into_iter().flatten().map(Self).collect()
     }
 
-    /// Traces a band of pixels with a kernel.
-    pub(super) fn trace<'a, 'b, T: Real>(
+    /// `AVX-512`, `AVX2`, or `baseline` for what every processor of its kind has.
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            Level::Baseline => "baseline",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => "AVX-512",
+        }
+    }
+
+    /// Traces pixels with a kernel.
+    pub(super) fn trace<'a, T: Real>(
         self,
         kernel: Kernel,
-        task: &'a BandTask<'a, T>,
-        band: &'a mut Band<'a, 'b>,
+        task: &'a PacketTask<'a, T>,
+        queue: &'a mut dyn PixelQueue<T>,
         scratch: &'a mut Scratch<T>,
     ) -> Counts {
-        T::by_precision::<TraceBand<'a, 'b>>(Input { level: self.0, kernel, task, band, scratch })
+        T::by_precision::<TracePixels<'a>>(Input { level: self.0, kernel, task, queue, scratch })
     }
 }
 
-/// Tracing a band, compiled once for each precision, kernel and level.
-struct TraceBand<'a, 'b>(PhantomData<(&'a (), &'b ())>);
+/// Tracing pixels, compiled once for each precision, kernel and level.
+struct TracePixels<'a>(PhantomData<&'a ()>);
 
-struct Input<'a, 'b, T: Real> {
+struct Input<'a, T: Real> {
     level: Level,
     kernel: Kernel,
-    task: &'a BandTask<'a, T>,
-    band: &'a mut Band<'a, 'b>,
+    task: &'a PacketTask<'a, T>,
+    queue: &'a mut dyn PixelQueue<T>,
     scratch: &'a mut Scratch<T>,
 }
 
-impl<'a, 'b: 'a> ByPrecision for TraceBand<'a, 'b> {
-    type Input<T: Real> = Input<'a, 'b, T>;
+impl<'a> ByPrecision for TracePixels<'a> {
+    type Input<T: Real> = Input<'a, T>;
     type Output = Counts;
 
     #[inline(never)]
-    fn single(input: Input<'a, 'b, f32>) -> Counts {
+    fn single(input: Input<'a, f32>) -> Counts {
         input.trace()
     }
 
     #[inline(never)]
-    fn double(input: Input<'a, 'b, f64>) -> Counts {
+    fn double(input: Input<'a, f64>) -> Counts {
         input.trace()
     }
 }
 
-impl<T: Real> Input<'_, '_, T> {
+impl<T: Real> Input<'_, T> {
     fn trace(self) -> Counts {
         match self.kernel {
             Kernel::Plain => self.trace_packets::<{ Kernel::Plain.effects().bits() }>(),
             Kernel::Assignment => self.trace_packets::<{ Kernel::Assignment.effects().bits() }>(),
-            Kernel::Everything => self.task.trace_each(self.band),
+            Kernel::Everything => self.task.trace_each::<{ Kernel::Everything.effects().bits() }>(self.queue),
         }
     }
 
@@ -148,18 +160,18 @@ fn has_avx512() -> bool {
         && is_x86_feature_detected!("avx512dq")
 }
 
-fn trace_baseline<T: Real, const EFFECTS: u32>(input: Input<'_, '_, T>) -> Counts {
-    input.task.trace_packets::<EFFECTS>(input.band, input.scratch)
+fn trace_baseline<T: Real, const EFFECTS: u32>(input: Input<'_, T>) -> Counts {
+    input.task.trace_packets::<EFFECTS>(input.queue, input.scratch)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn trace_avx2<T: Real, const EFFECTS: u32>(input: Input<'_, '_, T>) -> Counts {
-    input.task.trace_packets::<EFFECTS>(input.band, input.scratch)
+fn trace_avx2<T: Real, const EFFECTS: u32>(input: Input<'_, T>) -> Counts {
+    input.task.trace_packets::<EFFECTS>(input.queue, input.scratch)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
-fn trace_avx512<T: Real, const EFFECTS: u32>(input: Input<'_, '_, T>) -> Counts {
-    input.task.trace_packets::<EFFECTS>(input.band, input.scratch)
+fn trace_avx512<T: Real, const EFFECTS: u32>(input: Input<'_, T>) -> Counts {
+    input.task.trace_packets::<EFFECTS>(input.queue, input.scratch)
 }

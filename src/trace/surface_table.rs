@@ -1,9 +1,10 @@
 //! Surfaces.
 
-use crate::effects::Rgb;
+use crate::effects::{Effect, Rgb};
 use crate::geometry::Real;
 
 use super::EffectColumn;
+use super::kernel::known;
 
 /// Surfaces of the objects of one kind.
 #[derive(Clone, Debug, Default)]
@@ -38,6 +39,20 @@ pub struct SurfaceRow<T> {
     pub glass: Option<GlassRow<T>>,
     /// Absorption in 1/unit, unless it would take nothing away.
     pub absorption: Option<Rgb<T>>,
+}
+
+impl<T: Real> SurfaceRow<T> {
+    /// What code for these effects knows of it.
+    #[inline(always)]
+    pub(super) fn of_kernel<const EFFECTS: u32>(self) -> Self {
+        Self {
+            gloss: known::<EFFECTS, _>(Effect::Gloss, self.gloss),
+            mirror: known::<EFFECTS, _>(Effect::Mirror, self.mirror),
+            glass: known::<EFFECTS, _>(Effect::Glass, self.glass),
+            absorption: known::<EFFECTS, _>(Effect::Absorption, self.absorption),
+            ..self
+        }
+    }
 }
 
 /// Glass of a surface.

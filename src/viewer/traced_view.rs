@@ -107,6 +107,6 @@ impl TracedView {
         grid: SampleGrid,
         kernel: Kernel,
     ) -> Exposure<'a, T> {
-        Exposure { tables, camera, level: self.level, grid, kernel }
+        Exposure { grid, kernel, ..Exposure::new(tables, camera, self.level) }
     }
 }

@@ -5,7 +5,7 @@ use archetrace::effects::{Effect, EffectSet};
 use archetrace::film::Film;
 use archetrace::geometry::Real;
 use archetrace::systems::{Frame, Monitor, Muted, Tables, extract_schedule, prepare, trace_picture};
-use archetrace::trace::{Exposure, Kernel, SampleGrid};
+use archetrace::trace::{Exposure, Kernel};
 use bevy_ecs::prelude::*;
 
 use crate::support::picture::Picture;
@@ -68,7 +68,7 @@ fn by_kernel(exhibit: &Exhibit, kernel: Kernel) -> Film {
     let tables = world.resource::<Tables<f64>>();
     let camera = tables.camera.as_ref().unwrap();
     let level = world.resource::<Snapshot>().level;
-    let exposure = Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER, kernel };
+    let exposure = Exposure { kernel, ..Exposure::new(&tables.scene, camera, level) };
     let mut film = Film::new(camera.pixels()).unwrap();
     trace_picture(&exposure, &mut film, &workers(2), &Monitor::default());
     film

@@ -9,7 +9,7 @@ use archetrace::film::Film;
 use archetrace::geometry::Real;
 use archetrace::scene::{LightDescription, ObjectDescription, ShapeDescription};
 use archetrace::systems::{Monitor, Tables, extract_schedule, prepare, trace_picture};
-use archetrace::trace::{Exposure, Kernel, SampleGrid, Simd, SurfaceRow};
+use archetrace::trace::{Exposure, Simd, SurfaceRow};
 use bevy_ecs::prelude::World;
 use glam::DVec3;
 
@@ -113,8 +113,7 @@ fn spoilt<T: Real>(ambient: T) -> (Film, u64) {
     assert!(surfaces.replace(0, row));
     let tables = world.resource::<Tables<T>>();
     let camera = tables.camera.as_ref().unwrap();
-    let kernel = Kernel::smallest_for(tables.effects());
-    let exposure = Exposure { tables: &tables.scene, camera, level: 4, grid: SampleGrid::CENTER, kernel };
+    let exposure = Exposure::new(&tables.scene, camera, 4);
     let mut film = Film::new(camera.pixels()).unwrap();
     let counts = trace_picture(&exposure, &mut film, &workers(2), &Monitor::default());
     (film, counts.non_finite)

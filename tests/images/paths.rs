@@ -4,7 +4,7 @@ use archetrace::components::Snapshot;
 use archetrace::film::Film;
 use archetrace::geometry::Real;
 use archetrace::systems::{Monitor, Tables, Workers, extract_schedule, prepare, trace_picture};
-use archetrace::trace::{Counts, Exposure, Kernel, SampleGrid, SampleId, SceneTables, Simd, Trees, radiance};
+use archetrace::trace::{Counts, Exposure, Kernel, SampleId, SceneTables, Simd, Trees, radiance};
 use bevy_ecs::prelude::World;
 
 use crate::support::case::Case;
@@ -29,14 +29,14 @@ fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>) -> (Vec<[f64; 3]>, Counts) {
     let mut counts = Counts::default();
     let pixels = exposure.camera.pixels();
     let picture = (0..pixels * pixels).map(|index| {
-        if exposure.level == 0 {
+        if exposure.depth.level == 0 {
             return [0.0; 3];
         }
         counts.rays.primary += 1;
         let (column, row) = (index % pixels, index / pixels);
         let sample = SampleId { column, row, index: 0 };
         let start = exposure.camera.sample(column, row, sample);
-        let color = radiance(exposure.tables, start, exposure.level, sample, &mut counts);
+        let color = radiance(exposure.tables, start, exposure.depth, sample, &mut counts).color;
         color.to_f64().map(|channel| channel.clamp(0.0, 1.0))
     });
     (picture.collect(), counts)
@@ -52,7 +52,7 @@ pub(crate) fn check_world<T: Real>(name: &str, world: World) {
     let camera = tables.camera.as_ref().unwrap();
     let level = world.resource::<Snapshot>().level;
     let smallest = Kernel::smallest_for(tables.effects());
-    let with = |kernel| Exposure { tables: &tables.scene, camera, level, grid: SampleGrid::CENTER, kernel };
+    let with = |kernel| Exposure { kernel, ..Exposure::new(&tables.scene, camera, level) };
     let treeless = SceneTables { trees: Trees::default(), ..(*tables.scene).clone() };
     let (truth, rays) = ray_by_ray(&Exposure { tables: &treeless, ..with(smallest) });
     for (simd, kernel) in paths().filter(|&(_, kernel)| kernel >= smallest) {

@@ -1,62 +1,64 @@
-//! Blocks of pixels.
+//! Packets of the camera's rays.
 
 use crate::geometry::{Real, Vector};
-use crate::trace::{CameraRays, Counts, SceneTables};
+use crate::trace::pixels::{PixelLanes, SampleLanes};
+use crate::trace::{CameraRays, Counts, SamplePoint, SceneTables};
 
 use super::bounds::Bounds;
 use super::lanes::{LANES, StartLanes, VectorLanes, any, nowhere};
 use super::path::{Departing, Paths};
 use super::trees::Scratch;
 
-/// Pixels along each side of a block.
+/// Pixels along each side of a block that is traced as one packet.
 pub(in crate::trace) const BLOCK_SIDE: u32 = 4;
 
-/// What blocks of pixels are traced from.
+/// What packets of pixels are traced from.
 pub(in crate::trace) struct Block<'a, T: Real> {
     pub(in crate::trace) tables: &'a SceneTables<T>,
     pub(in crate::trace) bounds: &'a Bounds<T>,
     pub(in crate::trace) camera: &'a CameraRays<T>,
+    /// Column and row in the whole picture of the film's first pixel.
+    pub(in crate::trace) corner: [u32; 2],
     pub(in crate::trace) level: u32,
+    /// Share of the light up to which no ray is followed.
+    pub(in crate::trace) cutoff: T,
     /// Pixels of the camera's picture from one sample to the next.
     pub(in crate::trace) step: u32,
+    /// The sample of each pixel that is taken.
+    pub(in crate::trace) point: SamplePoint,
+    /// Whether anybody asks what the samples met.
+    pub(in crate::trace) wants_trails: bool,
 }
 
 impl<T: Real> Block<'_, T> {
-    /// One sample of each pixel of some rows, all of the same length of at most [`BLOCK_SIDE`]; the first one is at
-    /// this column and row of the camera's picture. Each is given to `put` with its row and column in the block.
+    /// One sample of each of some pixels.
     #[inline(always)]
     pub(in crate::trace) fn trace<const EFFECTS: u32>(
         &self,
-        (left, top): (u32, u32),
-        (width, height): (u32, u32),
+        pixels: &PixelLanes,
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
-        mut put: impl FnMut(u32, u32, [f64; 3]),
-    ) {
-        let rays = self.rays((left, top), (width, height));
-        counts.rays.primary += u64::from(width * height);
-        let paths = Paths { tables: self.tables, bounds: self.bounds, level: self.level };
-        let mut colors = paths.radiance::<EFFECTS>(rays, scratch, counts);
-        clamp(&mut colors, counts);
-        for row in 0..height {
-            for column in 0..width {
-                let color = colors.get((row * BLOCK_SIDE + column) as usize % LANES);
-                put(row, column, [color.x.to_f64(), color.y.to_f64(), color.z.to_f64()]);
-            }
-        }
+    ) -> SampleLanes<T> {
+        let rays = self.rays(pixels);
+        counts.rays.primary += pixels.count as u64;
+        let &Self { tables, bounds, level, cutoff, wants_trails, .. } = self;
+        let paths = Paths { tables, bounds, level, cutoff, wants_trails };
+        let mut samples = paths.radiance::<EFFECTS>(rays, scratch, counts);
+        clamp(&mut samples.colors, counts);
+        samples
     }
 
     #[inline(always)]
-    fn rays(&self, (left, top): (u32, u32), (width, height): (u32, u32)) -> Departing<T> {
+    fn rays(&self, pixels: &PixelLanes) -> Departing<T> {
         let (mut start, mut direction) = (StartLanes::free(), VectorLanes::zero());
         let mut reach = [nowhere(); LANES];
-        for (lane, number) in (0..LANES).zip(0..) {
-            let (column, row) = (number % BLOCK_SIDE, number / BLOCK_SIDE);
-            let is_inside = (column < width) & (row < height);
-            let ray = self.camera.ray(left + column * self.step, top + row * self.step);
+        for lane in 0..LANES {
+            let column = (self.corner[0] + pixels.columns[lane]) * self.step + self.point.column;
+            let row = (self.corner[1] + pixels.rows[lane]) * self.step + self.point.row;
+            let ray = self.camera.ray(column, row);
             start.point.set(lane, ray.ray.origin);
             direction.set(lane, ray.ray.direction);
-            reach[lane] = if is_inside { ray.reach } else { nowhere() };
+            reach[lane] = if lane < pixels.count { ray.reach } else { nowhere() };
         }
         Departing { start, direction, reach }
     }

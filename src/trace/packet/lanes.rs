@@ -4,33 +4,33 @@ use crate::geometry::{Ray, Real, Vector};
 use crate::trace::ObjectId;
 
 /// Rays in a packet: a vector of the widest registers in single precision, two in double.
-pub(super) const LANES: usize = 16;
+pub(in crate::trace) const LANES: usize = 16;
 
 /// One number a lane.
-pub(super) type Lanes<T> = [T; LANES];
+pub(in crate::trace) type Lanes<T> = [T; LANES];
 
 /// One vector a lane.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(super) struct VectorLanes<T> {
-    pub(super) x: Lanes<T>,
-    pub(super) y: Lanes<T>,
-    pub(super) z: Lanes<T>,
+pub(in crate::trace) struct VectorLanes<T> {
+    pub(in crate::trace) x: Lanes<T>,
+    pub(in crate::trace) y: Lanes<T>,
+    pub(in crate::trace) z: Lanes<T>,
 }
 
 impl<T: Real> VectorLanes<T> {
     #[inline(always)]
-    pub(super) fn zero() -> Self {
+    pub(in crate::trace) fn zero() -> Self {
         Self { x: [T::ZERO; LANES], y: [T::ZERO; LANES], z: [T::ZERO; LANES] }
     }
 
     #[inline(always)]
-    pub(super) fn get(&self, lane: usize) -> Vector<T> {
+    pub(in crate::trace) fn get(&self, lane: usize) -> Vector<T> {
         Vector::new(self.x[lane], self.y[lane], self.z[lane])
     }
 
     #[inline(always)]
-    pub(super) fn set(&mut self, lane: usize, v: Vector<T>) {
+    pub(in crate::trace) fn set(&mut self, lane: usize, v: Vector<T>) {
         self.x[lane] = v.x;
         self.y[lane] = v.y;
         self.z[lane] = v.z;
@@ -38,7 +38,7 @@ impl<T: Real> VectorLanes<T> {
 
     /// Sets a lane, or leaves it.
     #[inline(always)]
-    pub(super) fn set_if(&mut self, condition: bool, lane: usize, v: Vector<T>) {
+    pub(in crate::trace) fn set_if(&mut self, condition: bool, lane: usize, v: Vector<T>) {
         self.x[lane] = if condition { v.x } else { self.x[lane] };
         self.y[lane] = if condition { v.y } else { self.y[lane] };
         self.z[lane] = if condition { v.z } else { self.z[lane] };

@@ -2,7 +2,7 @@
 
 use crate::effects::{Effect, attenuation, lambert, phong};
 use crate::geometry::Real;
-use crate::trace::{LightRow, ObjectId, SceneTables};
+use crate::trace::{LightRow, ObjectId, SceneTables, Trail};
 
 use super::bounds::Bounds;
 use super::bundle::{Bundle, Cluster};
@@ -31,16 +31,17 @@ pub(super) struct Lighting<'a, T: Real> {
 }
 
 impl<T: Real> Lighting<'_, T> {
-    /// The sums, light by light; shadow rays are counted.
+    /// The sums, light by light; shadow rays are counted, and lights that arrive are noted in the trails, if there are any.
     #[inline(always)]
     pub(super) fn gather<const EFFECTS: u32>(
         &self,
         shadow_rays: &mut LaneCounts,
         scratch: &mut Scratch<T>,
+        mut trails: Option<&mut [Trail; LANES]>,
     ) -> LightLanes<T> {
         let mut sums = LightLanes { lambert: [T::ZERO; LANES], phong: [T::ZERO; LANES] };
         for row in 0..self.tables.lights.len() {
-            self.add::<EFFECTS>(row, &mut sums, shadow_rays, scratch);
+            self.add::<EFFECTS>(row, &mut sums, shadow_rays, scratch, trails.as_deref_mut());
         }
         sums
     }
@@ -52,6 +53,7 @@ impl<T: Real> Lighting<'_, T> {
         sums: &mut LightLanes<T>,
         shadow_rays: &mut LaneCounts,
         scratch: &mut Scratch<T>,
+        trails: Option<&mut [Trail; LANES]>,
     ) {
         // 1. Points that face the light, in its cone, and not so far that nothing arrives.
         let light = &self.tables.lights.row(row);
@@ -69,6 +71,9 @@ impl<T: Real> Lighting<'_, T> {
         let candidates = self.bounds.near(&bundle);
         let ways = RayLanes { start: &self.surface.start, direction: &segments };
         occlude(self.tables, &ways, &mut reach, &bundle, &candidates, row, scratch);
+        if let Some(trails) = trails {
+            note(trails, &reach, row);
+        }
         // 3. What it does there.
         if any(|lane| reach[lane] > T::ZERO) {
             self.shine::<EFFECTS>(&reach, &segments.unit(), &scale, sums);
@@ -121,6 +126,15 @@ impl<T: Real> Lighting<'_, T> {
             let more = sums.phong[lane] + highlight * scale[lane];
             sums.phong[lane] = if is_lit { more } else { sums.phong[lane] };
         }
+    }
+}
+
+/// Notes a light in the trails of the lanes that it reaches.
+#[inline(always)]
+fn note<T: Real>(trails: &mut [Trail; LANES], reach: &Reach<T>, row: usize) {
+    for lane in 0..LANES {
+        let lit = trails[lane].lit_by(row);
+        trails[lane] = if reach[lane] > T::ZERO { lit } else { trails[lane] };
     }
 }
 

@@ -1,6 +1,6 @@
 //! Sixteen rays at once.
 //!
-//! A block of 4 x 4 pixels is traced together: one shape or one light against all its rays, in loops over lanes that a
+//! A block of 4 x 4 pixels, or any other sixteen, is traced together: one shape or one light against all its rays, in loops over lanes that a
 //! compiler turns into vector instructions of whatever width there is. Each lane does what [`radiance`] does for one
 //! ray, by the same operations in the same order, so a picture is the same to the bit on every path. A lane that has
 //! nothing to do reaches nothing: its reach is below 0.
@@ -25,15 +25,10 @@ mod stream;
 mod surface;
 mod trees;
 
-use crate::effects::{Effect, EffectSet};
-
 pub(super) use block::{BLOCK_SIDE, Block};
 pub(super) use bounds::Bounds;
+pub(super) use lanes::{LANES, VectorLanes};
 pub(super) use stream::{closest_hits, occlusions};
 pub(super) use trees::Scratch;
 
-/// Whether code for these effects has one of them.
-#[inline(always)]
-const fn has<const EFFECTS: u32>(effect: Effect) -> bool {
-    EffectSet::from_bits(EFFECTS).contains(effect)
-}
+use super::kernel::has;

@@ -2,7 +2,8 @@
 
 use crate::effects::{Effect, reflect_long};
 use crate::geometry::Real;
-use crate::trace::{Counts, ObjectId, SceneTables};
+use crate::trace::pixels::SampleLanes;
+use crate::trace::{Counts, ObjectId, SceneTables, Trail};
 
 use super::bounds::Bounds;
 use super::bundle::{Bundle, Cluster};
@@ -18,6 +19,10 @@ pub(super) struct Paths<'a, T: Real> {
     pub(super) tables: &'a SceneTables<T>,
     pub(super) bounds: &'a Bounds<T>,
     pub(super) level: u32,
+    /// Share of the light up to which no ray is followed.
+    pub(super) cutoff: T,
+    /// Whether anybody asks what the samples met.
+    pub(super) wants_trails: bool,
 }
 
 /// Rays that a packet sends out.
@@ -29,14 +34,15 @@ pub(super) struct Departing<T> {
 }
 
 impl<T: Real> Paths<'_, T> {
-    /// [`radiance`](crate::trace::radiance()) of every active lane; red, green, blue as x, y, z.
+    /// [`radiance`](crate::trace::radiance()) of every active lane.
     #[inline(always)]
     pub(super) fn radiance<const EFFECTS: u32>(
         &self,
         departing: Departing<T>,
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
-    ) -> VectorLanes<T> {
+    ) -> SampleLanes<T> {
+        let mut trails = [Trail::default(); LANES];
         let mut sum = VectorLanes::zero();
         let mut weight = [T::ONE; LANES];
         let Departing { mut start, mut direction, mut reach } = departing;
@@ -52,6 +58,9 @@ impl<T: Real> Paths<'_, T> {
                 break;
             }
             let surface = gather::<T, EFFECTS>(self.tables, &rays, &hits);
+            if self.wants_trails {
+                meet(&mut trails, &hits.name);
+            }
             // 2. Where the rays go on, for mirrors and for highlights.
             let goes_on = surface.any_mirror && remaining > 0;
             if surface.any_gloss || goes_on {
@@ -70,13 +79,14 @@ impl<T: Real> Paths<'_, T> {
                 cluster: &cluster,
                 mirrored: &direction,
             };
-            let light = lighting.gather::<EFFECTS>(&mut shadow_rays, scratch);
+            let trails = self.wants_trails.then_some(&mut trails);
+            let light = lighting.gather::<EFFECTS>(&mut shadow_rays, scratch, trails);
             add::<T, EFFECTS>(&mut sum, &surface, &light, &weight);
             if !(has::<EFFECTS>(Effect::Mirror) && goes_on) {
                 break;
             }
             // 4. The next rays.
-            reflect_on(&mut reach, &mut weight, &surface);
+            reflect_on(&mut reach, &mut weight, &surface, self.cutoff);
             if !any(|lane| reach[lane] >= T::ZERO) {
                 break;
             }
@@ -85,7 +95,7 @@ impl<T: Real> Paths<'_, T> {
         }
         counts.rays.shadow += shadow_rays.sum();
         counts.rays.mirror += mirror_rays.sum();
-        sum
+        SampleLanes { colors: sum, trails }
     }
 }
 
@@ -116,12 +126,21 @@ fn add<T: Real, const EFFECTS: u32>(
     }
 }
 
-/// Sends the lanes on that met a mirror.
+/// Notes what the active lanes met.
 #[inline(always)]
-fn reflect_on<T: Real>(reach: &mut Reach<T>, weight: &mut Lanes<T>, surface: &SurfaceLanes<T>) {
+fn meet(trails: &mut [Trail; LANES], name: &Lanes<u32>) {
+    for lane in 0..LANES {
+        let met = trails[lane].after(name[lane]);
+        trails[lane] = if name[lane] == ObjectId::NOBODY { trails[lane] } else { met };
+    }
+}
+
+/// Sends the lanes on that met a mirror which sends on more than the cutoff.
+#[inline(always)]
+fn reflect_on<T: Real>(reach: &mut Reach<T>, weight: &mut Lanes<T>, surface: &SurfaceLanes<T>, cutoff: T) {
     for lane in 0..LANES {
         weight[lane] *= surface.reflectance[lane];
-        let goes_on = (reach[lane] >= T::ZERO) & (weight[lane] > T::ZERO);
+        let goes_on = (reach[lane] >= T::ZERO) & (weight[lane] > cutoff);
         reach[lane] = if goes_on { T::INFINITY } else { nowhere() };
     }
 }

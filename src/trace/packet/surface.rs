@@ -137,7 +137,7 @@ impl<T: Real> SurfaceLanes<T> {
     fn paint<const EFFECTS: u32>(&mut self, tables: &SceneTables<T>, row: u32, name: u32) {
         let boards: &BoardColumns<T> = &tables.boards.shapes;
         if has::<EFFECTS>(Effect::Texture) && boards.textures.get(row as usize).is_some() {
-            return self.paint_texture(tables, row, name);
+            return self.paint_texture::<EFFECTS>(tables, row, name);
         }
         let (origin, width) = boards.pattern(row as usize);
         for lane in 0..LANES {
@@ -150,12 +150,16 @@ impl<T: Real> SurfaceLanes<T> {
 
     #[cold]
     #[inline(never)]
-    fn paint_texture(&mut self, tables: &SceneTables<T>, row: u32, name: u32) {
+    fn paint_texture<const EFFECTS: u32>(&mut self, tables: &SceneTables<T>, row: u32, name: u32) {
         let plain = tables.boards.surfaces.row(row as usize).color;
         for lane in 0..LANES {
             if self.start.departed[lane] == name {
-                let color =
-                    own_color(tables, ObjectId { kind: Kind::Board, row }, plain, self.start.point.get(lane));
+                let color = own_color::<T, EFFECTS>(
+                    tables,
+                    ObjectId { kind: Kind::Board, row },
+                    plain,
+                    self.start.point.get(lane),
+                );
                 self.color.set(lane, Vector::new(color.r, color.g, color.b));
             }
         }

@@ -1,0 +1,61 @@
+//! One frame of a scene, for `benches/idle_effects.sh` to count instructions of.
+//!
+//! Usage: `idle_effects PIXELS SCENE` traces a scene file, or a picture of the gallery by its name, in one thread with one
+//! sample a pixel, and prints the sum of all pixels; `idle_effects SCENE` prints the effects that it asks for.
+#![allow(clippy::print_stdout, reason = "the script reads it")]
+
+use std::error::Error;
+use std::num::NonZeroUsize;
+
+use archetrace::components::{Sampling, Snapshot};
+use archetrace::effects::Effect;
+use archetrace::scene::{Source, spawn};
+use archetrace::systems::{Frame, Tables, Workers, extract_schedule, prepare, trace_schedule};
+use bevy_ecs::prelude::*;
+
+#[path = "../scenes/gallery/exhibits.rs"]
+#[allow(dead_code, reason = "the gallery's own lists are not read here")]
+mod exhibits;
+
+use exhibits::Exhibit;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    // Cargo adds arguments of its own.
+    let words: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
+    match words.as_slice() {
+        [scene] => {
+            let world = extracted(scene)?;
+            let effects = world.resource::<Tables<f64>>().effects();
+            println!("{}", effects.iter().map(Effect::name).collect::<Vec<_>>().join(" "));
+        }
+        [pixels, scene] => println!("{}", traced(pixels.parse()?, scene)?),
+        _ => println!("usage: idle_effects [PIXELS] SCENE (see benches/idle_effects.sh)"),
+    }
+    Ok(())
+}
+
+fn extracted(scene: &str) -> Result<World, Box<dyn Error>> {
+    let mut world = match Exhibit::named(scene) {
+        Some(exhibit) => exhibit.world(),
+        None => world_of_file(scene)?,
+    };
+    world.insert_resource(Sampling { side: 1 });
+    prepare::<f64>(&mut world, Workers::new(Some(NonZeroUsize::MIN))?);
+    extract_schedule::<f64>().run(&mut world);
+    Ok(world)
+}
+
+fn world_of_file(path: &str) -> Result<World, Box<dyn Error>> {
+    let mut world = World::new();
+    spawn(&mut world, &Source::read(path.as_ref())?.load()?.description);
+    Ok(world)
+}
+
+fn traced(pixels: u32, scene: &str) -> Result<f64, Box<dyn Error>> {
+    let mut world = extracted(scene)?;
+    world.resource_mut::<Snapshot>().pixels = pixels;
+    extract_schedule::<f64>().run(&mut world);
+    trace_schedule::<f64>().run(&mut world);
+    let (film, _) = world.resource::<Frame>().traced()?;
+    Ok(film.pixels().iter().flatten().sum())
+}
