@@ -50,11 +50,13 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// The queue through which work comes to rayon from outside takes a block of memory for so many pieces of work.
-const QUEUE_BLOCK: usize = 31;
+/// Frames that are looked at.
+const FRAMES: usize = 62;
 
-/// Two blocks' worth of frames, for three blocks at most, one piece of work a frame.
-const FRAMES: usize = 2 * QUEUE_BLOCK;
+/// In so many of them something may be allocated that is not ours: the queue through which work comes to rayon from
+/// outside takes a block of memory every 31 pieces of work, one a frame, and cleans up after itself now and then; the test
+/// harness says that a test takes long.
+const EXCEPTIONS: usize = 4;
 
 /// Every shape, light and effect of scene files, and enough spheres for a tree.
 fn world() -> World {
@@ -86,7 +88,8 @@ fn check<T: Real>() {
     }
     let counts: Vec<usize> = (0..FRAMES).map(|_| allocations(&mut world, &mut trace)).collect();
     assert!(world.resource::<Frame>().traced().is_ok());
-    assert!(counts.iter().sum::<usize>() <= 3 && counts.iter().all(|&count| count <= 1), "{counts:?}");
+    let exceptions = counts.iter().filter(|&&count| count > 0).count();
+    assert!(exceptions <= EXCEPTIONS && counts.iter().all(|&count| count <= 2), "{counts:?}");
 }
 
 // One test, because others at the same time would be counted, too.

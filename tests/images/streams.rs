@@ -31,13 +31,13 @@ fn fans<T: Real>(count: usize, random: &mut Random) -> Vec<Query<T>> {
     while queries.len() < count {
         let (from, to) = (random.point(150.0), random.point(60.0));
         let (spread, shift) = (10.0_f64.powf(random.between(-6.0, 1.0)), random.between(-1.0, 1.0).max(0.0));
-        let axis = (queries.len() / 16 % 4 == 0).then(|| queries.len() / 64 % 6);
+        let axis = (queries.len() / 16).is_multiple_of(4).then_some(queries.len() / 64 % 6);
         let reach = if queries.len() % 32 < 16 { T::ONE } else { T::INFINITY };
         for _ in 0..16 {
             let (origin, end) = (from + random.point(shift), to + random.point(spread));
             let along = |direction: usize| {
                 let zero = T::from_f64(if random.between(0.0, 1.0) < 0.5 { 0.0 } else { -0.0 });
-                let far = T::from_f64(if direction % 2 == 0 { 200.0 } else { -200.0 });
+                let far = T::from_f64(if direction.is_multiple_of(2) { 200.0 } else { -200.0 });
                 let [x, y, z] = core::array::from_fn(|axis| if axis == direction / 2 { far } else { zero });
                 Vector::new(x, y, z)
             };

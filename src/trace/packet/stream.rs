@@ -86,7 +86,7 @@ pub(in crate::trace) fn occlusions<T: Real>(
         let mut reach = packet.reach;
         occlude(tables, &packet.rays(), &mut reach, &packet.bundle, &candidates, 0, &mut scratch);
         for (lane, occluded) in occluded.iter_mut().enumerate() {
-            *occluded = packet.reach[lane] > T::ZERO && !(reach[lane] > T::ZERO);
+            *occluded = packet.reach[lane] > T::ZERO && reach[lane] <= T::ZERO;
         }
     }
 }
