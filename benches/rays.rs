@@ -162,9 +162,10 @@ impl<T: Real> Rays<T> {
             let (at, departure) = (locate(tables, &hit, &start.ray), hit.departure());
             let segment = light.map(|light| light - at.point).filter(|s| s.dot(at.normal) > T::ZERO);
             let query =
-                |direction| Query { ray: Ray { origin: at.point, direction }, departure, reach: T::INFINITY };
-            rays.shadow.extend(segment.map(query));
-            rays.mirror.push(up_to_boards(tables, query(reflect(start.ray.direction, at.normal))));
+                |direction, reach| Query { ray: Ray { origin: at.point, direction }, departure, reach };
+            rays.shadow.extend(segment.map(|segment| query(segment, T::ONE)));
+            let mirrored = reflect(start.ray.direction, at.normal);
+            rays.mirror.push(up_to_boards(tables, query(mirrored, T::INFINITY)));
         }
         rays
     }

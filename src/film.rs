@@ -83,53 +83,56 @@ impl Film {
         self.pixels.iter_mut().flatten().for_each(|channel| *channel /= count);
     }
 
-    /// The film cut into tiles of at most `size` by `size` pixels (at least 1), which can be filled in any order.
-    pub fn tiles_mut(&mut self, size: u32) -> Vec<FilmTile<'_>> {
-        let size = size.clamp(1, self.side.max(1));
-        let width = self.side as usize;
-        let mut tiles = Vec::new();
-        for (band, top) in
-            self.pixels.chunks_mut((width * size as usize).max(1)).zip((0..self.side).step_by(size as usize))
-        {
-            let first = tiles.len();
-            tiles.extend((0..self.side).step_by(size as usize).map(|left| FilmTile {
-                left,
-                top,
-                rows: Vec::with_capacity(size as usize),
-            }));
-            for row in band.chunks_mut(width) {
-                for (tile, part) in tiles[first..].iter_mut().zip(row.chunks_mut(size as usize)) {
-                    tile.rows.push(part);
-                }
-            }
-        }
-        tiles
+    /// The film cut across into bands of `height` rows (at least 1), the last one lower if need be, which can be filled
+    /// in any order. Nothing is allocated.
+    pub fn bands_mut(&mut self, height: u32) -> impl Iterator<Item = FilmBand<'_>> {
+        let (side, length) = (self.side, self.band_length(height));
+        self.pixels
+            .chunks_mut(length)
+            .enumerate()
+            .map(move |(number, pixels)| FilmBand::new(side, height, number, pixels))
+    }
+
+    /// Pixels in bands of `height` rows.
+    pub fn band_length(&self, height: u32) -> usize {
+        (self.side as usize * height.max(1) as usize).max(1)
     }
 }
 
-/// A rectangle of a film that can be written while others write the rest.
+/// Some rows of a film that can be written while others write the rest.
 #[derive(Debug)]
-pub struct FilmTile<'a> {
-    left: u32,
+pub struct FilmBand<'a> {
+    side: u32,
     top: u32,
-    rows: Vec<&'a mut [[f64; 3]]>,
+    pixels: &'a mut [[f64; 3]],
 }
 
-impl<'a> FilmTile<'a> {
-    /// Column of the first pixel of each row.
-    pub fn left(&self) -> u32 {
-        self.left
+impl<'a> FilmBand<'a> {
+    /// The band of this number, of a film of `side` pixels a row that is cut into bands of `height` rows (at least 1).
+    pub fn new(side: u32, height: u32, number: usize, pixels: &'a mut [[f64; 3]]) -> Self {
+        let top = u32::try_from(number).unwrap_or(u32::MAX).saturating_mul(height.max(1));
+        Self { side, top, pixels }
     }
 
-    /// Number of pixels.
-    pub fn area(&self) -> u64 {
-        self.rows.iter().map(|row| row.len() as u64).sum()
+    /// Pixels in a row.
+    pub fn side(&self) -> u32 {
+        self.side
     }
 
-    /// The rows from the top, `height` (at least 1) at a time, with the number in the film of the first of them.
-    pub fn bands_mut(&mut self, height: u32) -> impl Iterator<Item = (u32, &mut [&'a mut [[f64; 3]]])> {
-        let height = height.max(1);
-        (self.top..).step_by(height as usize).zip(self.rows.chunks_mut(height as usize))
+    /// Number of the first row in the film.
+    pub fn top(&self) -> u32 {
+        self.top
+    }
+
+    /// Number of rows.
+    pub fn height(&self) -> u32 {
+        u32::try_from(self.pixels.len() / (self.side as usize).max(1)).unwrap_or(u32::MAX)
+    }
+
+    /// The pixel in this row of the band and this column of the film.
+    #[inline(always)]
+    pub fn pixel_mut(&mut self, row: u32, column: u32) -> &mut [f64; 3] {
+        &mut self.pixels[row as usize * self.side as usize + column as usize]
     }
 }
 

@@ -4,13 +4,13 @@ use bevy_ecs::prelude::*;
 use rayon::prelude::*;
 
 use crate::components::{Adaptive, Cutoff, Sampling, Snapshot};
-use crate::film::Film;
+use crate::film::{Film, FilmBand};
 use crate::geometry::Real;
 use crate::trace::{Counts, Depth, Exposure, Refinement, SampleGrid};
 
 use super::{Frame, FrameError, Monitor, Tables, Workers, trace_adaptive};
 
-/// Traces the frame, tiles in parallel. Every pixel is a function of the tables alone, and counts are whole
+/// Traces the frame, bands in parallel. Every pixel is a function of the tables alone, and counts are whole
 /// numbers, so neither depends on which thread did what.
 pub(super) fn trace<T: Real>(
     tables: Res<Tables<T>>,
@@ -77,7 +77,7 @@ pub fn trace_picture<T: Real>(
     counts
 }
 
-/// Traces one sample of every pixel, tiles in parallel: the first pass sets the film, later ones add to it. Once the
+/// Traces one sample of every pixel, bands in parallel: the first pass sets the film, later ones add to it. Once the
 /// monitor is cancelled, no further row is begun.
 pub fn trace_pass<T: Real>(
     exposure: &Exposure<'_, T>,
@@ -90,12 +90,17 @@ pub fn trace_pass<T: Real>(
     film.set_transfer(effects.transfer);
     let tables = exposure.tables.at(T::from_f64(effects.second(exposure.grid, pass)));
     let exposure = Exposure { tables: &tables, ..*exposure };
-    let mut tiles = film.tiles_mut(workers.tile_size);
+    let (side, height) = (film.side(), workers.tile_size);
+    let length = film.band_length(height);
     workers.pool.install(|| {
-        let each = tiles.par_iter_mut().map(|tile| {
-            let counts = exposure.trace_tile(workers.simd, pass, tile, || !monitor.is_cancelled());
+        // Band by band to the end: the last one to be done should not be one of many.
+        let bands = film.pixels_mut().par_chunks_mut(length).with_max_len(1).enumerate();
+        let each = bands.map(|(number, pixels)| {
+            let area = pixels.len() as u64;
+            let mut band = FilmBand::new(side, height, number, pixels);
+            let counts = exposure.trace_band(workers.simd, pass, &mut band, || !monitor.is_cancelled());
             if !monitor.is_cancelled() {
-                monitor.tile_done(tile.area());
+                monitor.tile_done(area);
             }
             counts
         });

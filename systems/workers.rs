@@ -27,11 +27,11 @@ impl Workers {
         // For rayon, 0 stands for one per processor.
         let builder = ThreadPoolBuilder::new().num_threads(threads.map_or(0, NonZeroUsize::get));
         let pool = builder.build().map_err(|error| WorkersError(error.to_string()))?;
-        // 32 x 32 pixels: enough tiles to keep all threads busy to the end, few enough not to matter themselves.
-        Ok(Self { pool: Arc::new(pool), tile_size: 32, simd: Simd::detect(), least: Kernel::Plain })
+        // 16 rows: enough bands to keep all threads busy to the end, few enough not to matter themselves.
+        Ok(Self { pool: Arc::new(pool), tile_size: 16, simd: Simd::detect(), least: Kernel::Plain })
     }
 
-    /// The same threads with tiles of another size, in pixels along each side.
+    /// The same threads with tiles of another size, in pixels along each side; a row of tiles is traced by one thread.
     #[must_use]
     pub fn with_tile_size(self, tile_size: u32) -> Self {
         Self { tile_size, ..self }

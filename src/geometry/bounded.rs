@@ -27,6 +27,12 @@ impl<T: Real> Bounds3<T> {
         high: Vector::new(T::LOWEST, T::LOWEST, T::LOWEST),
     };
 
+    /// The longest side; below 0 around nothing.
+    pub fn longest_side(&self) -> T {
+        let size = self.high - self.low;
+        size.x.at_least(size.y).at_least(size.z)
+    }
+
     /// Around both.
     #[inline(always)]
     #[must_use]

@@ -75,8 +75,8 @@ fn ray_by_ray<T: Real>(exposure: &Exposure<'_, T>, index: u32, counts: &mut Coun
 /// By a kernel.
 fn film<T: Real>(exposure: &Exposure<'_, T>, simd: Simd, counts: &mut Counts) -> Option<Film> {
     let mut film = Film::new(PIXELS)?;
-    for mut tile in film.tiles_mut(32) {
-        *counts += exposure.trace_tile(simd, 0, &mut tile, || true);
+    for mut band in film.bands_mut(32) {
+        *counts += exposure.trace_band(simd, 0, &mut band, || true);
     }
     Some(film)
 }

@@ -47,14 +47,7 @@ mod tests {
 
     fn film(pixels: [[f64; 3]; 4]) -> Film {
         let mut film = Film::new(2).unwrap();
-        let mut pixels = pixels.into_iter();
-        for mut tile in film.tiles_mut(2) {
-            for (_, rows) in tile.bands_mut(2) {
-                rows.iter_mut()
-                    .flat_map(|row| row.iter_mut())
-                    .for_each(|pixel| *pixel = pixels.next().unwrap());
-            }
-        }
+        film.pixels_mut().copy_from_slice(&pixels);
         film
     }
 

@@ -14,12 +14,8 @@ use super::{Ablation, Difference, ablate, draw_bars};
 fn film(levels: [[f64; 3]; 4]) -> Film {
     let mut film = Film::new(2).unwrap();
     let mut levels = levels.into_iter();
-    for mut tile in film.tiles_mut(2) {
-        for (_, rows) in tile.bands_mut(2) {
-            for pixel in rows.iter_mut().flat_map(|row| row.iter_mut()) {
-                *pixel = levels.next().unwrap().map(|level| (level + 0.5) / 255.0);
-            }
-        }
+    for pixel in film.pixels_mut() {
+        *pixel = levels.next().unwrap().map(|level| (level + 0.5) / 255.0);
     }
     film
 }

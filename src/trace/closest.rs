@@ -3,7 +3,7 @@
 use crate::geometry::{Convex, Crossing, Ray, Real};
 
 use super::hit::DepartedRow;
-use super::tree::{self, NO_ROW, Packed, Stack, Tree, TreeRay};
+use super::tree::{self, NO_ROW, Packed, Stack, Tree, TreeRay, Walk};
 use super::{Departure, Hit, Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 /// The nearest crossing with `t <= reach`. Among crossings at the same `t` the lowest scene order wins, then the
@@ -119,13 +119,11 @@ impl<T: Real> Nearest<'_, T> {
         if departed.within != NO_ROW {
             self.test(table, departed.within, ray, departed);
         }
-        let mut nearest =
-            tree::Nearest { tables: self.tables, kind: C::KIND, t: self.reach, name: self.name };
-        let ray_of_tree = TreeRay::new(*ray, tree.rounding());
-        let stack = stack.get_or_insert_with(Stack::new);
-        tree.search::<true>(&ray_of_tree, departed.row(), &mut nearest, stack);
-        if nearest.name != self.name {
-            self.test(table, ObjectId::unpacked(nearest.name).row, ray, departed);
+        let nearest = tree::Nearest { tables: self.tables, kind: C::KIND, t: self.reach, name: self.name };
+        let mut walk = Walk::new(TreeRay::new(*ray, tree.rounding()), departed.row(), nearest);
+        tree.search::<true, _>(&mut walk, stack.get_or_insert_with(Stack::new));
+        if walk.search.name != self.name {
+            self.test(table, ObjectId::unpacked(walk.search.name).row, ray, departed);
         }
     }
 

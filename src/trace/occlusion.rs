@@ -3,7 +3,7 @@
 use crate::geometry::{Ray, Real};
 
 use super::closest::cross_row;
-use super::tree::{Any, NO_ROW, Packed, Stack, Tree, TreeRay};
+use super::tree::{Any, NO_ROW, Packed, Stack, Tree, TreeRay, Walk};
 use super::{Departure, SceneTables, ShapeColumns, ShapeTable};
 
 /// Whether a surface lies strictly before `reach`, `0 < t < reach` along the ray. A light that is somewhere lies exactly
@@ -80,8 +80,8 @@ fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     if departed.within != NO_ROW && row_blocks(table, departed.within, ray, departure, reach) {
         return true;
     }
-    let mut any = Any { row: NO_ROW, reach };
-    let ray_of_tree = TreeRay::new(*ray, tree.rounding());
-    tree.search::<false>(&ray_of_tree, departed.row(), &mut any, stack.get_or_insert_with(Stack::new));
-    any.row != NO_ROW
+    let any = Any { row: NO_ROW, reach };
+    let mut walk = Walk::new(TreeRay::new(*ray, tree.rounding()), departed.row(), any);
+    tree.search::<false, _>(&mut walk, stack.get_or_insert_with(Stack::new));
+    walk.search.row != NO_ROW
 }

@@ -1,6 +1,6 @@
 //! Which pixels are traced together, and where their samples go.
 
-use crate::geometry::{Real, Vector};
+use crate::geometry::Vector;
 
 use super::Trail;
 use super::packet::{LANES, VectorLanes};
@@ -38,14 +38,14 @@ impl PixelLanes {
 
 /// Samples of the pixels of a packet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SampleLanes<T> {
+pub(super) struct SampleLanes {
     /// Red, green and blue as x, y and z, 0 to 1.
-    pub(super) colors: VectorLanes<T>,
+    pub(super) colors: VectorLanes<f64>,
     /// What the samples met, if that was asked for.
     pub(super) trails: [Trail; LANES],
 }
 
-impl<T: Real> SampleLanes<T> {
+impl SampleLanes {
     /// Nothing met, nothing seen.
     pub(super) fn black() -> Self {
         Self { colors: VectorLanes::zero(), trails: [Trail::default(); LANES] }
@@ -55,22 +55,22 @@ impl<T: Real> SampleLanes<T> {
     #[inline(always)]
     pub(super) fn get(&self, lane: usize) -> [f64; 3] {
         let color = self.colors.get(lane);
-        [color.x.to_f64(), color.y.to_f64(), color.z.to_f64()]
+        [color.x, color.y, color.z]
     }
 
     /// Sets a lane.
     pub(super) fn set(&mut self, lane: usize, color: [f64; 3], trail: Trail) {
-        let [x, y, z] = color.map(T::from_f64);
+        let [x, y, z] = color;
         self.colors.set(lane, Vector::new(x, y, z));
         self.trails[lane] = trail;
     }
 }
 
 /// Pixels to be traced.
-pub(super) trait PixelQueue<T: Real> {
+pub(super) trait PixelQueue {
     /// The next ones; none are left when there are none among them.
     fn next(&mut self) -> PixelLanes;
 
     /// Takes the samples of those that were given out last.
-    fn put(&mut self, samples: &SampleLanes<T>);
+    fn put(&mut self, samples: &SampleLanes);
 }

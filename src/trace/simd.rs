@@ -61,7 +61,7 @@ impl Simd {
         self,
         kernel: Kernel,
         task: &'a PacketTask<'a, T>,
-        queue: &'a mut dyn PixelQueue<T>,
+        queue: &'a mut dyn PixelQueue,
         scratch: &'a mut Scratch<T>,
     ) -> Counts {
         T::by_precision::<TracePixels<'a>>(Input { level: self.0, kernel, task, queue, scratch })
@@ -75,7 +75,7 @@ struct Input<'a, T: Real> {
     level: Level,
     kernel: Kernel,
     task: &'a PacketTask<'a, T>,
-    queue: &'a mut dyn PixelQueue<T>,
+    queue: &'a mut dyn PixelQueue,
     scratch: &'a mut Scratch<T>,
 }
 

@@ -1,9 +1,8 @@
-//! Many rays, one after the other, with the vector instructions that there are.
+//! Many rays, in packets, with the vector instructions that there are.
 
 use crate::geometry::{Ray, Real};
 
-use super::closest::closest_hit_with;
-use super::occlusion::is_occluded_with;
+use super::packet::{closest_hits, occlusions};
 use super::simd::Vectorised;
 use super::{Departure, Hit, SceneTables, Simd};
 
@@ -46,10 +45,7 @@ impl<T: Real> Vectorised for ClosestHits<'_, T> {
 
     #[inline(always)]
     fn run(self) {
-        let mut stack = None;
-        for (query, hit) in self.queries.iter().zip(self.hits) {
-            *hit = closest_hit_with(self.tables, &query.ray, &query.departure, query.reach, &mut stack);
-        }
+        closest_hits(self.tables, self.queries, self.hits);
     }
 }
 
@@ -64,9 +60,6 @@ impl<T: Real> Vectorised for Occlusions<'_, T> {
 
     #[inline(always)]
     fn run(self) {
-        let mut stack = None;
-        for (query, occluded) in self.queries.iter().zip(self.occluded) {
-            *occluded = is_occluded_with(self.tables, &query.ray, &query.departure, query.reach, &mut stack);
-        }
+        occlusions(self.tables, self.queries, self.occluded);
     }
 }

@@ -1,7 +1,7 @@
 //! A rectangle of pixels, or some pixels here and there.
 
 use crate::effects::Effect;
-use crate::film::FilmTile;
+use crate::film::FilmBand;
 use crate::geometry::Real;
 
 use super::kernel::has;
@@ -41,23 +41,27 @@ impl<'a, T: Real> Exposure<'a, T> {
         }
     }
 
-    /// One sample of every pixel of a tile, clamped to 0..=1: the first pass sets the pixels, later ones add to them,
-    /// and after the last they hold the sum over the grid. `keep_going` is asked before each band of four rows; the
-    /// rows after a no keep what they held.
-    pub fn trace_tile(
+    /// One sample of every pixel of a band of rows, clamped to 0..=1: the first pass sets the pixels, later ones add to
+    /// them, and after the last they hold the sum over the grid. The band is traced tile by tile, each as wide as it is
+    /// high. `keep_going` is asked before each four rows of a tile; what comes after a no keeps what it held.
+    pub fn trace_band(
         &self,
         simd: Simd,
         pass: u32,
-        tile: &mut FilmTile<'_>,
+        band: &mut FilmBand<'_>,
         keep_going: impl Fn() -> bool,
     ) -> Counts {
         self.with_task(pass, false, |task| {
             let mut counts = Counts::default();
             let mut scratch = Scratch::new();
-            let left = tile.left();
-            for (top, rows) in tile.bands_mut(BLOCK_SIDE).take_while(|_| keep_going()) {
-                let mut band = Band::new((left, top), pass, rows);
-                counts += simd.trace(self.kernel, task, &mut band, &mut scratch);
+            let (side, height) = (band.side(), band.height());
+            let tiles = (0..side).step_by(height.max(1) as usize);
+            let strips =
+                tiles.flat_map(|left| (0..height).step_by(BLOCK_SIDE as usize).map(move |row| (left, row)));
+            for (left, row) in strips.take_while(|_| keep_going()) {
+                let end = side.min(left + height);
+                let mut strip = Strip { band: &mut *band, row, next: left, end, given: left, pass };
+                counts += simd.trace(self.kernel, task, &mut strip, &mut scratch);
             }
             counts
         })
@@ -101,7 +105,7 @@ impl<T: Real> PacketTask<'_, T> {
     #[inline(always)]
     pub(super) fn trace_packets<const EFFECTS: u32>(
         &self,
-        queue: &mut dyn PixelQueue<T>,
+        queue: &mut dyn PixelQueue,
         scratch: &mut Scratch<T>,
     ) -> Counts {
         let mut counts = Counts::default();
@@ -130,7 +134,7 @@ impl<T: Real> PacketTask<'_, T> {
     }
 
     /// Traces pixels one by one, with the effects of these bits.
-    pub(super) fn trace_each<const EFFECTS: u32>(&self, queue: &mut dyn PixelQueue<T>) -> Counts {
+    pub(super) fn trace_each<const EFFECTS: u32>(&self, queue: &mut dyn PixelQueue) -> Counts {
         if self.exposure.depth.level == 0 {
             return self.blacken(queue);
         }
@@ -152,7 +156,7 @@ impl<T: Real> PacketTask<'_, T> {
 
     /// At level 0 no ray is traced.
     #[inline(never)]
-    fn blacken(&self, queue: &mut dyn PixelQueue<T>) -> Counts {
+    fn blacken(&self, queue: &mut dyn PixelQueue) -> Counts {
         while queue.next().count > 0 {
             queue.put(&SampleLanes::black());
         }
@@ -176,42 +180,44 @@ impl<T: Real> PacketTask<'_, T> {
 }
 
 /// Some rows of a tile, no more than a block has.
-struct Band<'a, 'b> {
-    left: u32,
-    top: u32,
+struct Strip<'a, 'b> {
+    band: &'a mut FilmBand<'b>,
+    /// Its first row in the band.
+    row: u32,
+    /// The columns that are left, and the first of those given out last.
+    next: u32,
+    end: u32,
+    given: u32,
     pass: u32,
-    rows: &'a mut [&'b mut [[f64; 3]]],
-    /// Columns given out so far, and how many of them were given out last.
-    done: u32,
-    width: u32,
 }
 
-impl<'a, 'b> Band<'a, 'b> {
-    fn new((left, top): (u32, u32), pass: u32, rows: &'a mut [&'b mut [[f64; 3]]]) -> Self {
-        Self { left, top, pass, rows, done: 0, width: 0 }
+impl Strip<'_, '_> {
+    fn rows(&self) -> u32 {
+        (self.band.height() - self.row).min(BLOCK_SIDE)
     }
 }
 
-impl<T: Real> PixelQueue<T> for Band<'_, '_> {
+impl PixelQueue for Strip<'_, '_> {
     #[inline]
     fn next(&mut self) -> PixelLanes {
-        let columns = self.rows.first().map_or(0, |row| small(row.len()));
-        self.done += self.width;
-        self.width = (columns - self.done).min(BLOCK_SIDE);
-        PixelLanes::rectangle((self.left + self.done, self.top), (self.width, small(self.rows.len())))
+        let width = (self.end - self.next).min(BLOCK_SIDE);
+        self.given = self.next;
+        self.next += width;
+        PixelLanes::rectangle((self.given, self.band.top() + self.row), (width, self.rows()))
     }
 
     #[inline]
-    fn put(&mut self, samples: &SampleLanes<T>) {
-        let (first, width) = (self.done as usize, self.width as usize);
-        for (row, pixels) in self.rows.iter_mut().enumerate() {
-            for (column, pixel) in pixels[first..first + width].iter_mut().enumerate() {
-                let sample = samples.get(row * width + column);
-                if self.pass == 0 {
-                    *pixel = sample;
-                } else {
-                    add(pixel, sample);
-                }
+    fn put(&mut self, samples: &SampleLanes) {
+        let columns = self.given..self.next;
+        for (lane, (row, column)) in
+            (0..self.rows()).flat_map(|row| columns.clone().map(move |column| (row, column))).enumerate()
+        {
+            let pixel = self.band.pixel_mut(self.row + row, column);
+            let sample = samples.get(lane);
+            if self.pass == 0 {
+                *pixel = sample;
+            } else {
+                add(pixel, sample);
             }
         }
     }
@@ -226,7 +232,7 @@ struct Listed<'a, F> {
     take: F,
 }
 
-impl<T: Real, F: FnMut(usize, [f64; 3], Trail)> PixelQueue<T> for Listed<'_, F> {
+impl<F: FnMut(usize, [f64; 3], Trail)> PixelQueue for Listed<'_, F> {
     fn next(&mut self) -> PixelLanes {
         let mut lanes = PixelLanes::NONE;
         for &[column, row] in self.pixels[self.taken..].iter().take(LANES) {
@@ -237,18 +243,12 @@ impl<T: Real, F: FnMut(usize, [f64; 3], Trail)> PixelQueue<T> for Listed<'_, F> 
         lanes
     }
 
-    fn put(&mut self, samples: &SampleLanes<T>) {
+    fn put(&mut self, samples: &SampleLanes) {
         let first = self.taken - self.given;
         for lane in 0..self.given {
             (self.take)(first + lane, samples.get(lane), samples.trails[lane]);
         }
     }
-}
-
-/// A number of pixels in a tile, which is no larger than a film.
-#[inline(always)]
-fn small(count: usize) -> u32 {
-    u32::try_from(count).unwrap_or(0)
 }
 
 #[inline(always)]

@@ -211,13 +211,11 @@ fn png(rgb: Vec<u8>) -> Vec<u8> {
 
 fn disk(radius: f64) -> Film {
     let mut film = Film::new(48).unwrap();
-    for mut tile in film.tiles_mut(48) {
-        for (y, rows) in tile.bands_mut(1) {
-            for (x, pixel) in (0_u32..).zip(rows[0].iter_mut()) {
-                let [x, y] = [x, y].map(|place| f64::from(place) - 23.5);
-                let inside = (radius - x.hypot(y)).clamp(0.0, 1.0);
-                *pixel = [inside, 0.6 * inside, 0.2 + 0.1 * inside];
-            }
+    for (y, row) in (0_u32..).zip(film.pixels_mut().chunks_mut(48)) {
+        for (x, pixel) in (0_u32..).zip(row) {
+            let [x, y] = [x, y].map(|place| f64::from(place) - 23.5);
+            let inside = (radius - x.hypot(y)).clamp(0.0, 1.0);
+            *pixel = [inside, 0.6 * inside, 0.2 + 0.1 * inside];
         }
     }
     film

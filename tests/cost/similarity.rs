@@ -5,12 +5,9 @@ use archetrace::study::mean_ssim;
 
 fn film(side: u32, level: impl Fn(usize, usize) -> [u8; 3]) -> Film {
     let mut film = Film::new(side).unwrap();
-    for mut tile in film.tiles_mut(side) {
-        for (row, pixels) in tile.bands_mut(1).flat_map(|(row, rows)| rows.iter_mut().map(move |r| (row, r)))
-        {
-            for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = level(column, row as usize).map(|level| (f64::from(level) + 0.5) / 255.0);
-            }
+    for (row, pixels) in film.pixels_mut().chunks_mut(side as usize).enumerate() {
+        for (column, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = level(column, row).map(|level| (f64::from(level) + 0.5) / 255.0);
         }
     }
     film

@@ -1,4 +1,5 @@
-//! Rays asked for one by one: with any vector instructions and through trees, the answers are those of row after row.
+//! Rays asked for many at a time: with any vector instructions, through trees, and whether they have anything in common
+//! or not, the answers are those of row after row.
 
 use archetrace::geometry::{Ray, Real, Vector};
 use archetrace::systems::{Tables, extract_schedule, prepare};
@@ -24,6 +25,30 @@ fn queries<T: Real>(tables: &SceneTables<T>, count: usize, random: &mut Random) 
     queries
 }
 
+/// Rays that go much the same way, or exactly the same: from a point, side by side, and along the axes with either zero.
+fn fans<T: Real>(count: usize, random: &mut Random) -> Vec<Query<T>> {
+    let mut queries = Vec::with_capacity(count);
+    while queries.len() < count {
+        let (from, to) = (random.point(150.0), random.point(60.0));
+        let (spread, shift) = (10.0_f64.powf(random.between(-6.0, 1.0)), random.between(-1.0, 1.0).max(0.0));
+        let axis = (queries.len() / 16).is_multiple_of(4).then_some(queries.len() / 64 % 6);
+        let reach = if queries.len() % 32 < 16 { T::ONE } else { T::INFINITY };
+        for _ in 0..16 {
+            let (origin, end) = (from + random.point(shift), to + random.point(spread));
+            let along = |direction: usize| {
+                let zero = T::from_f64(if random.between(0.0, 1.0) < 0.5 { 0.0 } else { -0.0 });
+                let far = T::from_f64(if direction.is_multiple_of(2) { 200.0 } else { -200.0 });
+                let [x, y, z] = core::array::from_fn(|axis| if axis == direction / 2 { far } else { zero });
+                Vector::new(x, y, z)
+            };
+            let direction = axis.map_or_else(|| Vector::from_dvec3(end - origin), along);
+            let ray = Ray { origin: Vector::from_dvec3(origin), direction };
+            queries.push(Query { ray, departure: Departure::Free, reach });
+        }
+    }
+    queries
+}
+
 fn name<T: Real>(hit: Option<Hit<T>>) -> Option<(ObjectId, u64, u8)> {
     hit.map(|hit| (hit.object, hit.crossing.t.to_f64().to_bits(), hit.crossing.face))
 }
@@ -35,7 +60,10 @@ fn check<T: Real>(seed: u64) {
         extract_schedule::<T>().run(&mut world);
         let tables = &world.resource::<Tables<T>>().scene;
         let plain = SceneTables { trees: Trees::default(), ..(**tables).clone() };
-        let queries = queries(&plain, 500, &mut Random::new(seed));
+        let mut queries = queries(&plain, 500, &mut Random::new(seed));
+        queries.truncate(496);
+        queries.extend(fans(1024, &mut Random::new(seed)));
+        queries.truncate(queries.len() - 5);
         for simd in Simd::available() {
             let (mut hits, mut occluded) = (vec![None; queries.len()], vec![false; queries.len()]);
             simd.closest_hits(tables, &queries, &mut hits);

@@ -29,6 +29,13 @@ pub trait Straight<T: Real>: Convex<T> {
     /// Whether [`meet`](Self::meet) is worth computing: false only where it finds nothing.
     fn may_meet(&self, ray: &Ray<T>) -> bool;
 
+    /// Whether [`meet`](Self::meet) is worth computing for a ray that looks as far as `reach`, given the inverse of its
+    /// direction's length and of the square of that: false only where it finds nothing, or something beyond.
+    #[inline(always)]
+    fn may_meet_before(&self, _ray: &Ray<T>, _inverse_length: T, _inverse_square: T, _reach: T) -> bool {
+        true
+    }
+
     /// [`Convex::intersect`], unless unsure.
     fn meet(&self, ray: &Ray<T>) -> Meeting<T>;
 

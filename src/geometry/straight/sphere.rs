@@ -19,6 +19,18 @@ impl<T: Real> Straight<T> for SphereShape<T> {
     }
 
     #[inline(always)]
+    fn may_meet_before(&self, ray: &Ray<T>, inverse_length: T, inverse_square: T, reach: T) -> bool {
+        let offset = self.center - ray.origin;
+        let along = offset.dot(ray.direction) * inverse_square;
+        let across = offset - ray.direction * along;
+        let size = (offset.x.abs() + offset.y.abs()) + offset.z.abs();
+        let radius = self.radius + size * (T::from_u32(16) * T::ULP);
+        let half = radius * inverse_length;
+        let passes_by = across.dot(across) > radius * radius;
+        !(passes_by | (along + half < T::ZERO) | (along - half > reach))
+    }
+
+    #[inline(always)]
     fn meet(&self, ray: &Ray<T>) -> Meeting<T> {
         let chord = self.chord(ray);
         let c = square_excess(chord.offset, chord.offset_error, self.radius);

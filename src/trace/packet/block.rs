@@ -38,14 +38,19 @@ impl<T: Real> Block<'_, T> {
         pixels: &PixelLanes,
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
-    ) -> SampleLanes<T> {
+    ) -> SampleLanes {
         let rays = self.rays(pixels);
         counts.rays.primary += pixels.count as u64;
         let &Self { tables, bounds, level, cutoff, wants_trails, .. } = self;
         let paths = Paths { tables, bounds, level, cutoff, wants_trails };
-        let mut samples = paths.radiance::<EFFECTS>(rays, scratch, counts);
-        clamp(&mut samples.colors, counts);
-        samples
+        let (mut found, trails) = paths.radiance::<EFFECTS>(rays, scratch, counts);
+        clamp(&mut found, counts);
+        let mut colors = VectorLanes::zero();
+        for lane in 0..LANES {
+            let color = found.get(lane);
+            colors.set(lane, Vector::new(color.x.to_f64(), color.y.to_f64(), color.z.to_f64()));
+        }
+        SampleLanes { colors, trails }
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! Which objects the rays of a packet can meet at all.
 
-use crate::geometry::{Bounded, Real};
+use crate::geometry::{Ball, Bounded, Real, Vector};
 use crate::trace::{Kind, SceneTables, ShapeColumns, ShapeTable};
 
 use super::bundle::Bundle;
@@ -85,7 +85,7 @@ impl<T: Real> Bounds<T> {
     pub(super) fn near(&self, bundle: &Bundle<T>) -> Candidates {
         let mut candidates = self.all();
         let count = (self.rows[0] + self.rows[1] + self.rows[2]) as usize;
-        if self.complete && bundle.squared_cosine > T::ZERO {
+        if self.complete && bundle.is_narrow() {
             candidates.bits = 0;
             for first in (0..count.min(MOST)).step_by(GROUP) {
                 candidates.bits |= u64::from(self.near_in_group(bundle, first)) << first;
@@ -98,21 +98,10 @@ impl<T: Real> Bounds<T> {
     fn near_in_group(&self, bundle: &Bundle<T>, first: usize) -> u32 {
         let (x, y, z) = (&self.x[first..][..GROUP], &self.y[first..][..GROUP], &self.z[first..][..GROUP]);
         let (radius, rounding) = (&self.radius[first..][..GROUP], &self.rounding[first..][..GROUP]);
-        let apex = bundle.apex;
-        let base = (apex.x.abs() + apex.y.abs()) + (apex.z.abs() + bundle.spread);
         let mut bits = 0;
         for lane in 0..GROUP {
-            let (dx, dy, dz) = (x[lane] - apex.x, y[lane] - apex.y, z[lane] - apex.z);
-            let along = (dx * bundle.axis.x + dy * bundle.axis.y) + dz * bundle.axis.z;
-            let (ax, ay, az) =
-                (dx - bundle.axis.x * along, dy - bundle.axis.y * along, dz - bundle.axis.z * along);
-            let across_squared = (ax * ax + ay * ay) + az * az;
-            let size = base + ((dx.abs() + dy.abs()) + (dz.abs() + radius[lane]));
-            let radius = radius[lane] + bundle.spread + rounding[lane] * size;
-            // The distance from the side of the cone is no more than that from the cone; squares save a root.
-            let side = radius + along.at_least(T::ZERO) * bundle.sine;
-            let beside = across_squared * bundle.squared_cosine > side * side;
-            let misses = beside | (along < -radius) | (along > bundle.length + radius);
+            let center = Vector::new(x[lane], y[lane], z[lane]);
+            let misses = bundle.misses(&Ball { center, radius: radius[lane] }, rounding[lane]);
             bits |= u32::from(!misses) << lane;
         }
         bits

@@ -1,6 +1,6 @@
 //! Balls around the starts of a packet's rays, and cones around its rays.
 
-use crate::geometry::{Real, Vector};
+use crate::geometry::{Ball, Bounded, Real, Vector};
 
 use super::lanes::{LANES, Lanes, Reach, VectorLanes, greatest, mask};
 
@@ -78,6 +78,40 @@ impl<T: Real> Bundle<T> {
         let inverse = T::ONE / distance;
         let (axis, length) = (way * inverse, distance + ends.radius);
         Self { apex, spread: T::ZERO, axis, length, ..Self::wide(ends.radius * inverse) }
+    }
+
+    /// Whether it says anything.
+    #[inline(always)]
+    pub(super) fn is_narrow(&self) -> bool {
+        self.squared_cosine > T::ZERO
+    }
+
+    /// Whether none of the rays of a narrow bundle meets what is in a ball, whatever rounding does.
+    #[inline(always)]
+    pub(super) fn misses(&self, ball: &Ball<T>, rounding: T) -> bool {
+        let (apex, axis) = (self.apex, self.axis);
+        let base = (apex.x.abs() + apex.y.abs()) + (apex.z.abs() + self.spread);
+        let away = ball.center - apex;
+        let along = away.dot(axis);
+        let across = away - axis * along;
+        let size = base + ((away.x.abs() + away.y.abs()) + (away.z.abs() + ball.radius));
+        let radius = ball.radius + self.spread + rounding * size;
+        // The distance from the side of the cone is no more than that from the cone; squares save a root.
+        let side = radius + along.at_least(T::ZERO) * self.sine;
+        let beside = across.dot(across) * self.squared_cosine > side * side;
+        beside | (along < -radius) | (along > self.length + radius)
+    }
+
+    /// Whether a ray of a narrow bundle may meet a shape.
+    #[inline(always)]
+    pub(super) fn may_meet(&self, shape: &impl Bounded<T>) -> bool {
+        !self.misses(&shape.ball(), shape.rounding())
+    }
+
+    /// How wide it is after this way.
+    #[inline(always)]
+    pub(super) fn width(&self, way: T) -> T {
+        self.spread + self.sine * way.at_most(self.length)
     }
 
     /// A cone of this sine; one that is not below 1, or no number, says nothing.

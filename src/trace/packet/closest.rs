@@ -5,6 +5,7 @@ use crate::trace::closest::comes_first;
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 use super::bounds::{Candidates, Rows};
+use super::bundle::Bundle;
 use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, Reach};
 use super::trees::{Scratch, search_tree};
 
@@ -56,6 +57,7 @@ pub(super) fn closest<T: Real>(
     tables: &SceneTables<T>,
     rays: &RayLanes<'_, T>,
     reach: &Reach<T>,
+    bundle: &Bundle<T>,
     candidates: &Candidates,
     scratch: &mut Scratch<T>,
 ) -> HitLanes<T> {
@@ -65,9 +67,9 @@ pub(super) fn closest<T: Real>(
     search(tables, &tables.pyramids, candidates.of(Kind::Pyramid), rays, &mut hits);
     search(tables, &tables.boards, candidates.of(Kind::Board), rays, &mut hits);
     let trees = &tables.trees;
-    search_tree(tables, &tables.spheres, trees.spheres.as_deref(), rays, &mut hits, scratch);
-    search_tree(tables, &tables.cubes, trees.cubes.as_deref(), rays, &mut hits, scratch);
-    search_tree(tables, &tables.pyramids, trees.pyramids.as_deref(), rays, &mut hits, scratch);
+    search_tree(tables, &tables.spheres, trees.spheres.as_deref(), rays, bundle, &mut hits, scratch);
+    search_tree(tables, &tables.cubes, trees.cubes.as_deref(), rays, bundle, &mut hits, scratch);
+    search_tree(tables, &tables.pyramids, trees.pyramids.as_deref(), rays, bundle, &mut hits, scratch);
     if rays.start.any_inward {
         leave(tables, rays, &mut hits);
     }
@@ -100,7 +102,7 @@ fn search<T: Real, C>(
 }
 
 #[inline(always)]
-fn test<T: Real>(
+pub(super) fn test<T: Real>(
     tables: &SceneTables<T>,
     shape: &impl Straight<T>,
     name: u32,

@@ -169,6 +169,12 @@ pub(super) fn greatest<T: Real>(values: &Lanes<T>) -> T {
     four[0].at_least(four[2]).at_least(four[1].at_least(four[3]))
 }
 
+/// The least and the greatest of all lanes, none of them NaN.
+#[inline(always)]
+pub(super) fn range<T: Real>(values: &Lanes<T>) -> [T; 2] {
+    [-greatest(&values.map(|value| -value)), greatest(values)]
+}
+
 /// The least of all lanes.
 #[inline(always)]
 pub(super) fn least(values: &Lanes<u32>) -> u32 {

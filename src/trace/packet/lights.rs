@@ -67,9 +67,10 @@ impl<T: Real> Lighting<'_, T> {
         }
         shadow_rays.add(&reach);
         // 2. Points that nothing hides from it.
-        let candidates = self.bounds.near(&Bundle::from_point(light.position, self.cluster));
+        let bundle = Bundle::from_point(light.position, self.cluster);
+        let candidates = self.bounds.near(&bundle);
         let ways = RayLanes { start: &self.surface.start, direction: &segments };
-        occlude(self.tables, &ways, &mut reach, &candidates, row, scratch);
+        occlude(self.tables, &ways, &mut reach, &bundle, &candidates, row, scratch);
         if let Some(trails) = trails {
             note(trails, &reach, row);
         }

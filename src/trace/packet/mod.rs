@@ -12,6 +12,7 @@
     reason = "a loop over lanes indexes them all: that is the form compilers turn into vector instructions"
 )]
 
+mod beam;
 mod block;
 mod bounds;
 mod bundle;
@@ -20,12 +21,14 @@ mod lanes;
 mod lights;
 mod occlusion;
 mod path;
+mod stream;
 mod surface;
 mod trees;
 
 pub(super) use block::{BLOCK_SIDE, Block};
 pub(super) use bounds::Bounds;
 pub(super) use lanes::{LANES, VectorLanes};
+pub(super) use stream::{closest_hits, occlusions};
 pub(super) use trees::Scratch;
 
 use super::kernel::has;

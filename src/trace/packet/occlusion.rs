@@ -4,6 +4,7 @@ use crate::geometry::{Real, Straight};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 use super::bounds::{Candidates, Rows};
+use super::bundle::Bundle;
 use super::closest::exit_of;
 use super::lanes::{LANES, RayLanes, Reach, any, nowhere};
 use super::trees::{Scratch, block_tree};
@@ -14,6 +15,7 @@ pub(super) fn occlude<T: Real>(
     tables: &SceneTables<T>,
     segments: &RayLanes<'_, T>,
     reach: &mut Reach<T>,
+    bundle: &Bundle<T>,
     candidates: &Candidates,
     light: usize,
     scratch: &mut Scratch<T>,
@@ -26,9 +28,9 @@ pub(super) fn occlude<T: Real>(
         && block(&tables.pyramids, candidates.of(Kind::Pyramid), segments, reach);
     if goes_on && block(&tables.boards, candidates.of(Kind::Board), segments, reach) {
         let trees = &tables.trees;
-        block_tree(&tables.spheres, trees.spheres.as_deref(), segments, reach, light, scratch);
-        block_tree(&tables.cubes, trees.cubes.as_deref(), segments, reach, light, scratch);
-        block_tree(&tables.pyramids, trees.pyramids.as_deref(), segments, reach, light, scratch);
+        block_tree(&tables.spheres, trees.spheres.as_deref(), segments, bundle, reach, light, scratch);
+        block_tree(&tables.cubes, trees.cubes.as_deref(), segments, bundle, reach, light, scratch);
+        block_tree(&tables.pyramids, trees.pyramids.as_deref(), segments, bundle, reach, light, scratch);
     }
 }
 
@@ -60,7 +62,7 @@ where
 }
 
 #[inline(always)]
-fn test<T: Real>(
+pub(super) fn test<T: Real>(
     shape: &impl Straight<T>,
     name: u32,
     segments: &RayLanes<'_, T>,

@@ -2,7 +2,6 @@
 
 use crate::effects::{Effect, reflect_long};
 use crate::geometry::Real;
-use crate::trace::pixels::SampleLanes;
 use crate::trace::{Counts, ObjectId, SceneTables, Trail};
 
 use super::bounds::Bounds;
@@ -41,7 +40,7 @@ impl<T: Real> Paths<'_, T> {
         departing: Departing<T>,
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
-    ) -> SampleLanes<T> {
+    ) -> (VectorLanes<T>, [Trail; LANES]) {
         let mut trails = [Trail::default(); LANES];
         let mut sum = VectorLanes::zero();
         let mut weight = [T::ONE; LANES];
@@ -50,9 +49,10 @@ impl<T: Real> Paths<'_, T> {
         let (mut shadow_rays, mut mirror_rays) = (LaneCounts::NONE, LaneCounts::NONE);
         for remaining in (0..self.level).rev() {
             // 1. What the rays meet. A lane that meets nothing has nothing more to do.
-            let candidates = self.bounds.near(&Bundle::of_rays(&cluster, &direction, &reach));
+            let bundle = Bundle::of_rays(&cluster, &direction, &reach);
+            let candidates = self.bounds.near(&bundle);
             let rays = RayLanes { start: &start, direction: &direction };
-            let hits = closest(self.tables, &rays, &reach, &candidates, scratch);
+            let hits = closest(self.tables, &rays, &reach, &bundle, &candidates, scratch);
             if !any(|lane| hits.name[lane] != ObjectId::NOBODY) {
                 break;
             }
@@ -94,7 +94,7 @@ impl<T: Real> Paths<'_, T> {
         }
         counts.rays.shadow += shadow_rays.sum();
         counts.rays.mirror += mirror_rays.sum();
-        SampleLanes { colors: sum, trails }
+        (sum, trails)
     }
 }
 

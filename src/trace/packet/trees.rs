@@ -1,15 +1,21 @@
-//! Packets and trees: lane by lane, each ray by itself.
+//! Packets and trees: all rays as one where they go much the same way, otherwise each by itself.
 
-use crate::geometry::{Ray, Real, Straight as _};
-use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, Stack, Tree, TreeRay};
+use crate::geometry::{Real, Straight as _};
+use crate::trace::tree::{Any, Beam, NO_ROW, Nearest, Packed, Stack, Tree, TreeRay, Walk};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
-use super::closest::{FaceCode, HitLanes};
-use super::lanes::{LANES, RayLanes, Reach, nowhere};
+use super::beam::{Inverses, beam_of};
+use super::bundle::Bundle;
+use super::closest::{FaceCode, HitLanes, test as test_closest};
+use super::lanes::{LANES, RayLanes, Reach, greatest, mask, nowhere};
+use super::occlusion::test as test_occlusion;
+
+/// Rays that take turns in a tree.
+const GROUP: usize = 8;
 
 /// What searches need room for, kept from one to the next.
 pub(in crate::trace) struct Scratch<T> {
-    stack: Stack<T>,
+    stacks: [Stack<T>; GROUP],
     /// For some lights and each kind, the row that hid a light last: likely to hide it again.
     occluders: [[u32; 3]; LIGHTS],
 }
@@ -19,9 +25,12 @@ const LIGHTS: usize = 8;
 
 impl<T: Real> Scratch<T> {
     pub(in crate::trace) fn new() -> Self {
-        Self { stack: Stack::new(), occluders: [[NO_ROW; 3]; LIGHTS] }
+        Self { stacks: core::array::from_fn(|_| Stack::new()), occluders: [[NO_ROW; 3]; LIGHTS] }
     }
 }
+
+/// A bit for each ray of a group.
+const ALL: u32 = (1 << GROUP) - 1;
 
 /// Searches the tree of one kind for every lane.
 #[inline(always)]
@@ -30,26 +39,89 @@ pub(super) fn search_tree<T: Real, C>(
     table: &ShapeTable<T, C>,
     tree: Option<&Tree<T, C::Shape>>,
     rays: &RayLanes<'_, T>,
+    bundle: &Bundle<T>,
     hits: &mut HitLanes<T>,
     scratch: &mut Scratch<T>,
 ) where
     C: ShapeColumns<T, Shape: Packed<T>>,
 {
     let Some(tree) = tree else { return };
-    for lane in 0..LANES {
-        // An idle lane's reach is below 0, and so is its t.
-        if hits.t[lane] >= T::ZERO {
-            let ray = rays.get(lane);
-            let tree_ray = TreeRay::new(ray, tree.rounding());
-            let mut nearest = Nearest { tables, kind: C::KIND, t: hits.t[lane], name: hits.name[lane] };
-            let departed = departed_row(rays, lane, C::KIND);
-            tree.search::<true>(&tree_ray, departed, &mut nearest, &mut scratch.stack);
-            if nearest.name != hits.name[lane] {
-                let row = ObjectId::unpacked(nearest.name).row;
-                hits.t[lane] = nearest.t;
-                hits.name[lane] = nearest.name;
-                hits.face[lane] = FaceCode::of(&table.shapes.shape(row as usize).meet_surely(&ray));
+    let search = ClosestSearch { tables, table, tree, rays };
+    if let Some(beam) = beam_of(tree, rays, bundle, &hits.t) {
+        search.together(&beam, bundle, hits, &mut scratch.stacks[0]);
+    } else if tree.is_large() {
+        search.in_turns(hits, &mut scratch.stacks);
+    } else {
+        search.one_by_one(hits, &mut scratch.stacks[0]);
+    }
+}
+
+struct ClosestSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
+    tables: &'a SceneTables<T>,
+    table: &'a ShapeTable<T, C>,
+    tree: &'a Tree<T, C::Shape>,
+    rays: &'a RayLanes<'a, T>,
+}
+
+impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> {
+    #[inline(always)]
+    fn together(&self, beam: &Beam<T>, bundle: &Bundle<T>, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
+        let inverses = Inverses::of(self.rays);
+        let reach = greatest(&hits.t);
+        self.tree.search_beam::<true>(
+            beam,
+            reach,
+            stack,
+            |shape| bundle.may_meet(shape),
+            |shape, row| {
+                if inverses.may_meet(shape, self.rays, &hits.t) {
+                    test_closest(self.tables, shape, ObjectId::packed(C::KIND, row), self.rays, hits);
+                }
+                greatest(&hits.t)
+            },
+        );
+    }
+
+    #[inline(always)]
+    fn one_by_one(&self, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
+        for lane in 0..LANES {
+            // An idle lane's reach is below 0, and so is its t.
+            if hits.t[lane] >= T::ZERO {
+                let mut walk = self.walk(lane, hits);
+                self.tree.search::<true, _>(&mut walk, stack);
+                self.settle(lane, &walk.search, hits);
             }
+        }
+    }
+
+    #[inline(always)]
+    fn in_turns(&self, hits: &mut HitLanes<T>, stacks: &mut [Stack<T>; GROUP]) {
+        let active = mask(|lane| hits.t[lane] >= T::ZERO);
+        for first in (0..LANES).step_by(GROUP) {
+            let mut walks: [_; GROUP] = core::array::from_fn(|number| self.walk(first + number, hits));
+            self.tree.search_in_turns::<true, _>(&mut walks, active >> first & ALL, stacks);
+            for (lane, walk) in (first..).zip(&walks) {
+                self.settle(lane, &walk.search, hits);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn walk(&self, lane: usize, hits: &HitLanes<T>) -> Walk<T, Nearest<'a, T>> {
+        let (t, name) = (hits.t[lane], hits.name[lane]);
+        let search = Nearest { tables: self.tables, kind: C::KIND, t, name };
+        let ray = TreeRay::new(self.rays.get(lane), self.tree.rounding());
+        Walk::new(ray, departed_row(self.rays, lane, C::KIND), search)
+    }
+
+    /// Takes over what was found.
+    #[inline(always)]
+    fn settle(&self, lane: usize, search: &Nearest<'_, T>, hits: &mut HitLanes<T>) {
+        if search.name != hits.name[lane] {
+            let shape = self.table.shapes.shape(ObjectId::unpacked(search.name).row as usize);
+            hits.t[lane] = search.t;
+            hits.name[lane] = search.name;
+            hits.face[lane] = FaceCode::of(&shape.meet_surely(&self.rays.get(lane)));
         }
     }
 }
@@ -60,6 +132,7 @@ pub(super) fn block_tree<T: Real, C>(
     table: &ShapeTable<T, C>,
     tree: Option<&Tree<T, C::Shape>>,
     segments: &RayLanes<'_, T>,
+    bundle: &Bundle<T>,
     reach: &mut Reach<T>,
     light: usize,
     scratch: &mut Scratch<T>,
@@ -67,33 +140,96 @@ pub(super) fn block_tree<T: Real, C>(
     C: ShapeColumns<T, Shape: Packed<T>>,
 {
     let Some(tree) = tree else { return };
+    let search = ShadowSearch { table, tree, segments };
     let last = &mut scratch.occluders[light % LIGHTS][C::KIND as usize % 3];
-    for lane in 0..LANES {
-        if reach[lane] > T::ZERO {
-            let segment = segments.get(lane);
-            let departed = departed_row(segments, lane, C::KIND);
-            if hides::<T, C>(table, *last, departed, &segment) {
-                reach[lane] = nowhere();
-                continue;
-            }
-            let mut any = Any { row: NO_ROW, reach: T::ONE };
-            let ray = TreeRay::new(segment, tree.rounding());
-            tree.search::<false>(&ray, departed, &mut any, &mut scratch.stack);
-            if any.row != NO_ROW {
-                *last = any.row;
-                reach[lane] = nowhere();
-            }
-        }
+    if let Some(beam) = beam_of(tree, segments, bundle, reach) {
+        search.together(&beam, bundle, reach, &mut scratch.stacks[0]);
+    } else if tree.is_large() {
+        search.in_turns(reach, last, &mut scratch.stacks);
+    } else {
+        search.one_by_one(reach, last, &mut scratch.stacks[0]);
     }
 }
 
-/// Whether the row that hid a light last hides it here.
-#[inline(always)]
-fn hides<T: Real, C>(table: &ShapeTable<T, C>, row: u32, departed: u32, segment: &Ray<T>) -> bool
-where
-    C: ShapeColumns<T, Shape: Packed<T>>,
-{
-    row != NO_ROW && row != departed && table.shapes.shape(row as usize).meet(segment).t < T::ONE
+struct ShadowSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
+    table: &'a ShapeTable<T, C>,
+    tree: &'a Tree<T, C::Shape>,
+    segments: &'a RayLanes<'a, T>,
+}
+
+impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
+    #[inline(always)]
+    fn together(&self, beam: &Beam<T>, bundle: &Bundle<T>, reach: &mut Reach<T>, stack: &mut Stack<T>) {
+        let inverses = Inverses::of(self.segments);
+        let farthest = greatest(reach);
+        self.tree.search_beam::<false>(
+            beam,
+            farthest,
+            stack,
+            |shape| bundle.may_meet(shape),
+            |shape, row| {
+                if inverses.may_meet(shape, self.segments, reach) {
+                    test_occlusion(shape, ObjectId::packed(C::KIND, row), self.segments, reach);
+                }
+                greatest(reach)
+            },
+        );
+    }
+
+    #[inline(always)]
+    fn one_by_one(&self, reach: &mut Reach<T>, last: &mut u32, stack: &mut Stack<T>) {
+        for lane in 0..LANES {
+            if reach[lane] > T::ZERO && self.hides(*last, lane, reach) {
+                reach[lane] = nowhere();
+            }
+            if reach[lane] > T::ZERO {
+                let mut walk = self.walk(lane, reach);
+                self.tree.search::<false, _>(&mut walk, stack);
+                self.settle(lane, &walk.search, reach, last);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn in_turns(&self, reach: &mut Reach<T>, last: &mut u32, stacks: &mut [Stack<T>; GROUP]) {
+        for first in (0..LANES).step_by(GROUP) {
+            for lane in first..first + GROUP {
+                if reach[lane] > T::ZERO && self.hides(*last, lane, reach) {
+                    reach[lane] = nowhere();
+                }
+            }
+            let mut walks: [_; GROUP] = core::array::from_fn(|number| self.walk(first + number, reach));
+            let active = mask(|lane| reach[lane] > T::ZERO) >> first & ALL;
+            self.tree.search_in_turns::<false, _>(&mut walks, active, stacks);
+            for (lane, walk) in (first..).zip(&walks) {
+                self.settle(lane, &walk.search, reach, last);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn walk(&self, lane: usize, reach: &Reach<T>) -> Walk<T, Any<T>> {
+        let ray = TreeRay::new(self.segments.get(lane), self.tree.rounding());
+        let any = Any { row: NO_ROW, reach: reach[lane] };
+        Walk::new(ray, departed_row(self.segments, lane, C::KIND), any)
+    }
+
+    /// Takes over what was found.
+    #[inline(always)]
+    fn settle(&self, lane: usize, search: &Any<T>, reach: &mut Reach<T>, last: &mut u32) {
+        if search.row != NO_ROW {
+            *last = search.row;
+            reach[lane] = nowhere();
+        }
+    }
+
+    /// Whether the row that hid a light last hides it here.
+    #[inline(always)]
+    fn hides(&self, row: u32, lane: usize, reach: &Reach<T>) -> bool {
+        row != NO_ROW
+            && row != departed_row(self.segments, lane, C::KIND)
+            && self.table.shapes.shape(row as usize).meet(&self.segments.get(lane)).t < reach[lane]
+    }
 }
 
 /// The row of one kind that the ray of a lane leaves.

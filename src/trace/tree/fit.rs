@@ -50,19 +50,35 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         let mut leaves: Vec<_> =
             rows.first().map(|&held| vec![Leaf::of(shapes, held); rows.len()]).unwrap_or_default();
         fill(fork, 0, &mut leaves, &|leaf| Leaf::of(shapes, rows[leaf]));
-        let mut tree = Self { nodes, leaves, leaf_of, leaf_parents, parents, moved: 0, rounding: T::ZERO };
+        let mut tree = Self {
+            nodes,
+            leaves,
+            leaf_of,
+            leaf_parents,
+            parents,
+            moved: 0,
+            leaf_size: T::ZERO,
+            size: T::ZERO,
+            rounding: T::ZERO,
+        };
         tree.fit_nodes();
+        tree.size = tree.nodes.first().map_or(T::ZERO, |root| root.around().longest_side());
         tree
     }
 
     /// Every node from the boxes of its children: the last first, because children come after their parents.
     fn fit_nodes(&mut self) {
+        let share = T::ONE / T::from_u32(u32::try_from(self.leaves.len()).unwrap_or(u32::MAX));
         for index in (0..self.nodes.len()).rev() {
             let mut node = self.nodes[index];
             for slot in 0..WIDTH {
                 match Child::of(node.children[slot]) {
                     Child::Node(child) => node.set(slot, &self.nodes[child as usize].around()),
-                    Child::Leaf(leaf) => node.set(slot, &self.fit_leaf(leaf)),
+                    Child::Leaf(leaf) => {
+                        let bounds = self.fit_leaf(leaf);
+                        self.leaf_size += bounds.longest_side() * share;
+                        node.set(slot, &bounds);
+                    }
                     Child::Nothing => {}
                 }
             }

@@ -4,11 +4,15 @@
 //! surfaces the one that comes first, whatever the tree looks like. Boxes are larger than their shapes by what the
 //! kernels may be wrong, and slabs are compared with room for their own rounding, so nothing is missed.
 
+mod beam;
 mod build;
 mod fit;
 mod pack;
+mod prefetch;
+mod ray;
 mod searches;
 mod split;
+mod stack;
 mod traverse;
 
 use crate::geometry::Real;
@@ -17,11 +21,14 @@ use super::ShapeColumns;
 use build::{Topology, topology};
 use fit::Node;
 
+pub(super) use beam::{AxisBeam, Beam};
 pub use build::{Fork, Sequential};
 pub use fit::refit_tree;
 pub use pack::Packed;
+pub(super) use ray::TreeRay;
 pub(super) use searches::{Any, NO_ROW, Nearest};
-pub(super) use traverse::{Stack, TreeRay, TreeSearch};
+pub(super) use stack::Stack;
+pub(super) use traverse::{TreeSearch, Walk};
 
 /// Children of a node, and rows of a leaf.
 pub(super) const WIDTH: usize = 8;
@@ -42,6 +49,9 @@ pub struct Tree<T: Real, S: Packed<T>> {
     parents: Vec<u32>,
     /// Rows that moved since the tree was built.
     moved: usize,
+    /// How large leaves are, and all of them together: the mean and the whole, along the longest axis.
+    leaf_size: T,
+    size: T,
     /// The largest rounding of a shape, see [`Ball`](crate::geometry::Ball).
     rounding: T,
 }

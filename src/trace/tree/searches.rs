@@ -10,6 +10,7 @@ use super::TreeSearch;
 pub(in crate::trace) const NO_ROW: u32 = u32::MAX;
 
 /// The nearest row so far.
+#[derive(Clone, Copy)]
 pub(in crate::trace) struct Nearest<'a, T: Real> {
     pub(in crate::trace) tables: &'a SceneTables<T>,
     /// The kind of the rows.
@@ -41,6 +42,7 @@ impl<T: Real> TreeSearch<T> for Nearest<'_, T> {
 }
 
 /// Any row before `reach`.
+#[derive(Clone, Copy)]
 pub(in crate::trace) struct Any<T> {
     pub(in crate::trace) row: u32,
     pub(in crate::trace) reach: T,

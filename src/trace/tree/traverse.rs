@@ -1,107 +1,12 @@
-//! One ray down a tree, eight boxes or eight shapes at a time.
+//! Rays down a tree, eight boxes or eight shapes at a time.
 
-use crate::geometry::{Ray, Real, Vector};
+use crate::geometry::Real;
 
-use super::fit::Node;
-use super::{Child, Leaf, Packed, Tree, WIDTH};
-
-/// Seven children a level, and no tree is as deep as this asks.
-const STACK_SIZE: usize = 512;
-
-/// Where a ray has still to go.
-#[derive(Clone, Debug)]
-pub(in crate::trace) struct Stack<T> {
-    entries: [(u32, T); STACK_SIZE],
-    /// Where the children of the node just looked at are entered. It lies here and not in a register, because a store of
-    /// eight numbers is what keeps a compiler doing eight at a time.
-    distances: [T; WIDTH],
-}
-
-impl<T: Real> Stack<T> {
-    pub(in crate::trace) fn new() -> Self {
-        Self { entries: [(0, T::ZERO); STACK_SIZE], distances: [T::ZERO; WIDTH] }
-    }
-}
-
-/// A ray as boxes see it.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::trace) struct TreeRay<T> {
-    ray: Ray<T>,
-    /// Inverse direction; where that would be infinite, the largest number.
-    inverse: Vector<T>,
-    /// The origin moved away from near and from far planes by what rounding may do.
-    near_origin: Vector<T>,
-    far_origin: Vector<T>,
-    /// Which of a node's bounds are near, and which far, along each axis.
-    near: [usize; 3],
-    far: [usize; 3],
-}
-
-impl<T: Real> TreeRay<T> {
-    /// Prepares a ray for a tree whose shapes are found with this much rounding.
-    #[inline(always)]
-    pub(in crate::trace) fn new(ray: Ray<T>, rounding: T) -> Self {
-        let origin = ray.origin;
-        let pad = rounding * ((origin.x.abs() + origin.y.abs()) + origin.z.abs());
-        let axis = |at: T, direction: T, number: usize| {
-            let backwards = direction < T::ZERO;
-            let towards = if backwards { -pad } else { pad };
-            let planes = if backwards { (number + 3, number) } else { (number, number + 3) };
-            (inverse(direction), at + towards, at - towards, planes)
-        };
-        let (ix, near_x, far_x, px) = axis(origin.x, ray.direction.x, 0);
-        let (iy, near_y, far_y, py) = axis(origin.y, ray.direction.y, 1);
-        let (iz, near_z, far_z, pz) = axis(origin.z, ray.direction.z, 2);
-        Self {
-            ray,
-            inverse: Vector::new(ix, iy, iz),
-            near_origin: Vector::new(near_x, near_y, near_z),
-            far_origin: Vector::new(far_x, far_y, far_z),
-            near: [px.0, py.0, pz.0],
-            far: [px.1, py.1, pz.1],
-        }
-    }
-
-    /// Where the ray enters the children in which it may meet something at up to `reach`; below 0 for the others.
-    ///
-    /// A bound of a slab is one subtraction, one inverse and one product: wrong by less than two units in the last
-    /// place. Eight are allowed for, on the one side of the comparison that has both.
-    #[inline(always)]
-    fn enter(&self, node: &Node<T>, reach: T, entries: &mut [T; WIDTH]) {
-        let [near_x, near_y, near_z] = self.near.map(|column| &node.bounds[column]);
-        let [far_x, far_y, far_z] = self.far.map(|column| &node.bounds[column]);
-        let slack = T::ONE + T::from_u32(8) * T::ULP;
-        for slot in 0..WIDTH {
-            let x = (near_x[slot] - self.near_origin.x) * self.inverse.x;
-            let y = (near_y[slot] - self.near_origin.y) * self.inverse.y;
-            let z = (near_z[slot] - self.near_origin.z) * self.inverse.z;
-            let entry = larger(larger(x, y), larger(z, T::ZERO));
-            let x = (far_x[slot] - self.far_origin.x) * self.inverse.x;
-            let y = (far_y[slot] - self.far_origin.y) * self.inverse.y;
-            let z = (far_z[slot] - self.far_origin.z) * self.inverse.z;
-            let exit = smaller(smaller(x, y), smaller(z, reach));
-            entries[slot] = if entry <= exit * slack { entry } else { -T::ONE };
-        }
-    }
-}
-
-#[inline(always)]
-fn larger<T: Real>(a: T, b: T) -> T {
-    if a > b { a } else { b }
-}
-
-#[inline(always)]
-fn smaller<T: Real>(a: T, b: T) -> T {
-    if a < b { a } else { b }
-}
-
-/// A slab that a ray runs along is entered long ago or never: the largest number tells as well as infinity, and makes no
-/// NaN with 0.
-#[inline(always)]
-fn inverse<T: Real>(direction: T) -> T {
-    let inverse = T::ONE / direction;
-    if inverse.abs() < T::MAX { inverse } else { T::MAX.copysign(direction) }
-}
+use super::beam::Beam;
+use super::prefetch::prefetch;
+use super::ray::{TreeRay, slack};
+use super::stack::Stack;
+use super::{Child, Leaf, NO_ROW, Packed, Tree, WIDTH};
 
 /// What a ray looks for in a tree.
 pub(in crate::trace) trait TreeSearch<T: Real> {
@@ -115,6 +20,37 @@ pub(in crate::trace) trait TreeSearch<T: Real> {
     fn is_done(&self) -> bool;
 }
 
+/// A ray on its way down a tree.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::trace) struct Walk<T, Q> {
+    ray: TreeRay<T>,
+    /// The row that it leaves, which it does not meet.
+    departed: u32,
+    /// What it looks for.
+    pub(in crate::trace) search: Q,
+    place: Place<T>,
+}
+
+/// Where it is.
+#[derive(Clone, Copy, Debug)]
+struct Place<T> {
+    /// The node or leaf to look at next.
+    code: u32,
+    /// How many more are on its stack.
+    height: usize,
+    /// The reach of the search, with slack.
+    limit: T,
+}
+
+impl<T: Real, Q: TreeSearch<T>> Walk<T, Q> {
+    /// At the root.
+    #[inline(always)]
+    pub(in crate::trace) fn new(ray: TreeRay<T>, departed: u32, search: Q) -> Self {
+        let place = Place { code: 0, height: 0, limit: search.reach() * slack() };
+        Self { ray, departed, search, place }
+    }
+}
+
 impl<T: Real, S: Packed<T>> Tree<T, S> {
     /// How much rounding a ray must be prepared for.
     #[inline(always)]
@@ -122,104 +58,181 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         self.rounding
     }
 
-    /// Tells a search of every row that the ray meets up to its reach, other than `departed`; and of no row twice for
-    /// nothing: near boxes come first if `SORTED`.
+    /// How large a leaf is on average, along its longest side.
     #[inline(always)]
-    pub(in crate::trace) fn search<const SORTED: bool>(
+    pub(in crate::trace) fn leaf_size(&self) -> T {
+        self.leaf_size
+    }
+
+    /// How large all of them together are.
+    #[inline(always)]
+    pub(in crate::trace) fn size(&self) -> T {
+        self.size
+    }
+
+    /// Tells a search of every row that the ray meets up to its reach, other than the one it leaves; and of no row twice
+    /// for nothing: near boxes come first if `SORTED`.
+    #[inline(always)]
+    pub(in crate::trace) fn search<const SORTED: bool, Q: TreeSearch<T>>(
         &self,
+        walk: &mut Walk<T, Q>,
+        stack: &mut Stack<T>,
+    ) {
+        let mut place = walk.place;
+        while self.step::<SORTED, Q>(&walk.ray, walk.departed, &mut walk.search, &mut place, stack) {}
+    }
+
+    /// The same for several rays, those whose bits are set, that take turns step by step: each step waits for memory, and
+    /// several can wait at the same time.
+    #[inline(always)]
+    pub(in crate::trace) fn search_in_turns<const SORTED: bool, Q: TreeSearch<T>>(
+        &self,
+        walks: &mut [Walk<T, Q>],
+        active: u32,
+        stacks: &mut [Stack<T>],
+    ) {
+        let mut active = active;
+        while active != 0 {
+            let mut left = active;
+            while left != 0 {
+                let number = left.trailing_zeros() as usize;
+                left &= left - 1;
+                let Walk { ray, departed, search, place } = &mut walks[number];
+                if self.step::<SORTED, Q>(ray, *departed, search, place, &mut stacks[number]) {
+                    self.prefetch(place.code);
+                } else {
+                    active &= !(1 << number);
+                }
+            }
+        }
+    }
+
+    /// Whether steps mostly wait for memory.
+    #[inline(always)]
+    pub(in crate::trace) fn is_large(&self) -> bool {
+        size_of_val(&*self.nodes) + size_of_val(&*self.leaves) > LARGE
+    }
+
+    /// Tells `meet` of every shape with its row that a ray of the beam may meet at up to a reach, and of no row twice for
+    /// nothing; near boxes come first if `SORTED`. `may_meet` sorts out shapes eight at a time. What `meet` returns is the
+    /// new reach; once it is below 0 the search is over.
+    #[inline(always)]
+    pub(in crate::trace) fn search_beam<const SORTED: bool>(
+        &self,
+        beam: &Beam<T>,
+        reach: T,
+        stack: &mut Stack<T>,
+        may_meet: impl Fn(&S) -> bool,
+        mut meet: impl FnMut(&S, u32) -> T,
+    ) {
+        let mut place = Place { code: 0, height: 0, limit: reach * slack() };
+        loop {
+            if place.code & Child::LEAF == 0 {
+                let node = &self.nodes[place.code as usize];
+                beam.enter(node, place.limit, &mut stack.found);
+                let found = stack.found.counted();
+                if !found.is_empty() {
+                    place.code = stack.push::<SORTED>(node, found, &mut place.height);
+                    continue;
+                }
+            } else {
+                let leaf = &self.leaves[(place.code & !Child::LEAF) as usize];
+                for slot in 0..WIDTH {
+                    stack.found.flags[slot] = u8::from(may_meet(&S::unpack(&leaf.block, slot)));
+                }
+                let (mut found, mut last) = (stack.found.counted(), NO_ROW);
+                while !found.is_empty() {
+                    let slot = found.take();
+                    if leaf.rows[slot] == last {
+                        continue;
+                    }
+                    last = leaf.rows[slot];
+                    let reach = meet(&S::unpack(&leaf.block, slot), last);
+                    if reach < T::ZERO {
+                        return;
+                    }
+                    place.limit = reach * slack();
+                }
+            }
+            let Some(next) = stack.pop(&mut place.height, place.limit) else { return };
+            place.code = next;
+        }
+    }
+
+    /// Looks at a node or a leaf; whether there is another one.
+    #[inline(always)]
+    fn step<const SORTED: bool, Q: TreeSearch<T>>(
+        &self,
+        ray: &TreeRay<T>,
+        departed: u32,
+        search: &mut Q,
+        place: &mut Place<T>,
+        stack: &mut Stack<T>,
+    ) -> bool {
+        if place.code & Child::LEAF == 0 {
+            let node = &self.nodes[place.code as usize];
+            ray.enter(node, place.limit, &mut stack.found);
+            let found = stack.found.counted();
+            if !found.is_empty() {
+                place.code = stack.push::<SORTED>(node, found, &mut place.height);
+                return true;
+            }
+        } else {
+            self.test(&self.leaves[(place.code & !Child::LEAF) as usize], ray, departed, search, stack);
+            if search.is_done() {
+                return false;
+            }
+            place.limit = search.reach() * slack();
+        }
+        let next = stack.pop(&mut place.height, place.limit);
+        place.code = next.unwrap_or(0);
+        next.is_some()
+    }
+
+    #[inline(always)]
+    fn prefetch(&self, code: u32) {
+        if code & Child::LEAF == 0 {
+            prefetch(&self.nodes[code as usize]);
+        } else {
+            prefetch(&self.leaves[(code & !Child::LEAF) as usize]);
+        }
+    }
+
+    #[inline(always)]
+    fn test(
+        &self,
+        leaf: &Leaf<S::Block>,
         ray: &TreeRay<T>,
         departed: u32,
         search: &mut impl TreeSearch<T>,
         stack: &mut Stack<T>,
     ) {
-        let mut height = 1;
-        stack.entries[0] = (0, T::ZERO);
-        let slack = T::ONE + T::from_u32(8) * T::ULP;
-        while height > 0 {
-            height -= 1;
-            let (code, entry) = stack.entries[height % STACK_SIZE];
-            if entry > search.reach() * slack {
-                continue;
-            }
-            match Child::of(code) {
-                Child::Node(node) => {
-                    height =
-                        descend::<T, SORTED>(ray, &self.nodes[node as usize], search.reach(), stack, height);
-                }
-                Child::Leaf(leaf) => {
-                    test::<T, S>(&self.leaves[leaf as usize], ray, departed, search);
-                    if search.is_done() {
-                        return;
-                    }
-                }
-                Child::Nothing => {}
-            }
+        let reach = search.reach();
+        let mut worthwhile = false;
+        for slot in 0..WIDTH {
+            let shape = S::unpack(&leaf.block, slot);
+            worthwhile |= shape.may_meet_before(&ray.ray, ray.inverse_length, ray.inverse_square, reach);
         }
-    }
-}
-
-/// Puts the children that the ray enters on the stack, the nearest on top.
-#[inline(always)]
-fn descend<T: Real, const SORTED: bool>(
-    ray: &TreeRay<T>,
-    node: &Node<T>,
-    reach: T,
-    stack: &mut Stack<T>,
-    height: usize,
-) -> usize {
-    ray.enter(node, reach, &mut stack.distances);
-    let mut bits = 0_u32;
-    for slot in 0..WIDTH {
-        bits |= u32::from(stack.distances[slot] >= T::ZERO) << slot;
-    }
-    let entries = &mut stack.entries;
-    let mut top = height;
-    while bits != 0 {
-        let slot = bits.trailing_zeros() as usize % WIDTH;
-        bits &= bits - 1;
-        let entry = (node.children[slot], stack.distances[slot]);
-        let mut place = top;
-        while SORTED && place > height && entries[(place - 1) % STACK_SIZE].1 < entry.1 {
-            entries[place % STACK_SIZE] = entries[(place - 1) % STACK_SIZE];
-            place -= 1;
+        if !worthwhile {
+            return;
         }
-        entries[place % STACK_SIZE] = entry;
-        top += 1;
-    }
-    top
-}
-
-#[inline(always)]
-fn test<T: Real, S: Packed<T>>(
-    leaf: &Leaf<S::Block>,
-    ray: &TreeRay<T>,
-    departed: u32,
-    search: &mut impl TreeSearch<T>,
-) {
-    let mut worthwhile = false;
-    for slot in 0..WIDTH {
-        worthwhile |= S::unpack(&leaf.block, slot).may_meet(&ray.ray);
-    }
-    if !worthwhile {
-        return;
-    }
-    let mut found = [T::ZERO; WIDTH];
-    let (mut bits, mut unsure) = (0, 0);
-    let reach = search.reach();
-    for (slot, found) in found.iter_mut().enumerate() {
-        let met = S::unpack(&leaf.block, slot).meet(&ray.ray);
-        let counts = leaf.rows[slot] != departed;
-        *found = met.t;
-        bits |= u32::from((met.t <= reach) & counts) << slot;
-        unsure |= u32::from(met.unsure & counts) << slot;
-    }
-    while bits != 0 {
-        let slot = bits.trailing_zeros() as usize & (WIDTH - 1);
-        bits &= bits - 1;
-        search.meet(leaf.rows[slot], found[slot]);
-    }
-    if unsure != 0 {
-        settle::<T, S>(leaf, ray, unsure, search);
+        let found = &mut stack.found;
+        let mut unsure = 0_u32;
+        for slot in 0..WIDTH {
+            let meeting = S::unpack(&leaf.block, slot).meet(&ray.ray);
+            let counts = leaf.rows[slot] != departed;
+            found.distances[slot] = meeting.t;
+            found.flags[slot] = u8::from((meeting.t <= reach) & counts);
+            unsure |= u32::from(meeting.unsure & counts) << slot;
+        }
+        let mut met = found.counted();
+        while !met.is_empty() {
+            let slot = met.take();
+            search.meet(leaf.rows[slot], found.distances[slot]);
+        }
+        if unsure != 0 {
+            settle::<T, S>(leaf, ray, unsure, search);
+        }
     }
 }
 
@@ -240,3 +253,6 @@ fn settle<T: Real, S: Packed<T>>(
         }
     }
 }
+
+/// Bytes of nodes and leaves. With less, rays one after the other were measured to be faster, whatever they have in common.
+const LARGE: usize = 8 << 20;
