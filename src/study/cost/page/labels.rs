@@ -32,8 +32,10 @@ impl Area {
 pub(super) struct Label {
     /// Its text.
     pub(super) text: String,
-    /// Left end of its baseline.
+    /// A place on its baseline.
     pub(super) at: [f64; 2],
+    /// Which part of it is at that place: `start`, `middle` or `end`.
+    pub(super) anchor: &'static str,
 }
 
 /// Places names one after the other, the important ones first.
@@ -49,7 +51,7 @@ pub(super) struct Labels {
 /// Height of a name, in pixels.
 const HEIGHT: f64 = 14.0;
 /// From a point to its name.
-const GAP: f64 = 9.0;
+const GAP: f64 = 10.0;
 
 impl Labels {
     /// Writes a name beside a point where nothing else is; leaves it out where there is no such place.
@@ -66,9 +68,19 @@ impl Labels {
         };
         if let Some(&area) = areas.iter().find(is_free) {
             self.taken.push(area);
-            self.placed.push(Label { text: text.to_owned(), at: [area.0[0], area.0[3] - 3.0] });
+            self.placed.push(label(text, x, area));
         }
     }
+}
+
+/// The end towards the point is held fast: how wide a font really is, nobody knows.
+fn label(text: &str, x: f64, Area([left, _, right, bottom]): Area) -> Label {
+    let (place, anchor) = match () {
+        () if left > x => (left, "start"),
+        () if right < x => (right, "end"),
+        () => (x, "middle"),
+    };
+    Label { text: text.to_owned(), at: [place, bottom - 3.0], anchor }
 }
 
 /// About the width of a text of 12 pixels.

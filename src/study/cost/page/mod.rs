@@ -84,6 +84,7 @@ fn notice(report: &CostReport) -> Markup {
 /// What is known after one sentence.
 fn headline(report: &CostReport) -> Markup {
     let floor = &report.reference;
+    let samples: u32 = floor.sides.iter().map(|side| side * side).sum();
     html! {
         @if let Some(row) = report.rows.iter().find(|row| row.setting == "assignment") {
             p.headline {
@@ -93,7 +94,7 @@ fn headline(report: &CostReport) -> Markup {
             }
         }
         p {
-            "The truth is itself computed, from hundreds of samples in each pixel, and known to "
+            "The truth is itself computed, from " (samples) " samples in each pixel, and known to "
             strong { (number(floor.floor_psnr_db)) " dB" }
             ". That is the floor: a setting that reaches it is as close as can be told, and nothing is claimed beyond."
         }
@@ -160,9 +161,10 @@ fn method(report: &CostReport) -> Markup {
             dt { "Scene" } dd { (report.scene) ", hash " code { (report.scene_hash) } ", seed " (report.seed) }
             dt { "Times" }
             dd {
-                "Of the trace alone, in milliseconds: the median of " (report.rounds) " rounds. In each round every setting had "
-                "its turn, so that a busy moment of the machine meets them all. The spread is between the quarter of the "
-                "rounds from below and the quarter from above."
+                "Of the trace alone, in milliseconds: the median of " (report.rounds)
+                @if report.rounds == 1 { " round" } @else { " rounds" }
+                ". In each round every setting had its turn, so that a busy moment of the machine meets them all. The spread is "
+                "between the quarter of the rounds from below and the quarter from above."
             }
             dt { "Truth" }
             dd {

@@ -125,7 +125,7 @@ impl<'a> Plot<'a> {
                 @for row in &self.report.rows { (self.spread(row)) }
                 @for number in self.drawing_order() { (self.mark(number, is_linked)) }
                 @for label in self.labels().placed {
-                    text.name x=(px(label.at[0])) y=(px(label.at[1])) { (label.text) }
+                    text.name text-anchor=(label.anchor) x=(px(label.at[0])) y=(px(label.at[1])) { (label.text) }
                 }
                 (legend())
             }

@@ -104,6 +104,6 @@ mod tests {
         assert_eq!(signed_count(-1234).into_string(), "<data value=\"-1234\">\u{2212}1\u{202f}234</data>");
         assert_eq!(signed_count(7).into_string(), "<data value=\"7\">+7</data>");
         assert_eq!(count(1_000_000).into_string(), "<data value=\"1000000\">1\u{202f}000\u{202f}000</data>");
-        assert_eq!(percent(0.25).into_string(), "<data value=\"0.25\">25.0\u{202f}%</data>");
+        assert_eq!(percent(0.25).into_string(), "<data value=\"0.25\">25\u{202f}%</data>");
     }
 }
