@@ -2,6 +2,8 @@
 //! with the flags that are printed.
 
 use std::fs;
+use std::thread;
+use std::time::Duration;
 
 use crate::picture::Picture;
 use crate::program::Folder;
@@ -38,12 +40,21 @@ fn flags(window: &mut Window, folder: &Folder) -> String {
     command.split_once(" --samples").map_or(String::new(), |(_, flags)| format!("--samples{flags}"))
 }
 
+/// A click that takes several frames: one that begins and ends within a frame moves no slider.
+fn press(at: (u32, u32), window: &Window) {
+    window.point(at);
+    for action in ["mousedown 1", "mouseup 1"] {
+        window.display.xdotool(action);
+        thread::sleep(Duration::from_millis(400));
+    }
+}
+
 /// Clicks along the strip until that chooses a setting that something holds for; its flags.
 #[track_caller]
 fn choose(window: &mut Window, folder: &Folder, holds: impl Fn(&str) -> bool) -> String {
-    for column in (340..SIZE.0 - 200).step_by(12) {
+    for column in (340..520).step_by(12) {
         window.forget();
-        window.click((column, STRIP));
+        press((column, STRIP), window);
         // The click has been dealt with when the wheel over the scene has turned the camera, and back.
         for button in [4, 5] {
             window.point((450, 100));
