@@ -1,16 +1,11 @@
-//! Accuracy by hand: the strip's slider moves it, the traced picture and the file follow, and both are what `render` makes
-//! with the flags that are printed.
-
-use std::fs;
-use std::thread;
-use std::time::Duration;
+//! The strip and the maps in false colours, in the real window.
 
 use crate::picture::Picture;
 use crate::program::Folder;
 use crate::scenes::folder;
 use crate::window::Window;
 
-/// Width and height of the window: wide enough for the strip's slider.
+/// Width and height of the window: wide enough for the strip.
 const SIZE: (u32, u32) = (900, 300);
 /// A row through the strip.
 const STRIP: u32 = SIZE.1 - 13;
@@ -24,73 +19,6 @@ fn open(folder: &Folder) -> Window {
     window.event("mode");
     window.event_where("picture", |picture| picture["is_final"] == true);
     window
-}
-
-/// The flags of accuracy that key 0 prints with its picture, which it removes after it was found to be the one that
-/// `render` writes with them.
-#[track_caller]
-fn flags(window: &mut Window, folder: &Folder) -> String {
-    window.key("0");
-    window.event("tracing");
-    let path = window.words("wrote ");
-    let command = window.words("archetrace render ");
-    folder.bash(&format!("\"$P\" render {}", command.replacen(&path, "again.bmp", 1))).quiet();
-    assert!(folder.read(&path) == folder.read("again.bmp"), "{command}");
-    fs::remove_file(folder.path(&path)).unwrap();
-    command.split_once(" --samples").map_or(String::new(), |(_, flags)| format!("--samples{flags}"))
-}
-
-/// A click that takes several frames: one that begins and ends within a frame moves no slider.
-fn press(at: (u32, u32), window: &Window) {
-    window.point(at);
-    for action in ["mousedown 1", "mouseup 1"] {
-        window.display.xdotool(action);
-        thread::sleep(Duration::from_millis(400));
-    }
-}
-
-/// Clicks along the strip until that chooses a setting that something holds for; its flags.
-#[track_caller]
-fn choose(window: &mut Window, folder: &Folder, holds: impl Fn(&str) -> bool) -> String {
-    for column in (340..520).step_by(12) {
-        window.forget();
-        press((column, STRIP), window);
-        // The click has been dealt with when the wheel over the scene has turned the camera, and back.
-        for button in [4, 5] {
-            window.point((450, 100));
-            window.display.xdotool(&format!("click {button}"));
-            window.camera();
-        }
-        let edits = window.unasked();
-        if edits.iter().any(|line| line.event("edited").is_some_and(|edit| edit["what"] == "Accuracy")) {
-            let flags = flags(window, folder);
-            if holds(&flags) {
-                return flags;
-            }
-        }
-    }
-    panic!("nothing like that on the strip\n{}", window.tell());
-}
-
-#[test]
-fn what_the_slider_chooses_is_in_the_window_and_in_the_file() {
-    let folder = folder(60);
-    let mut window = open(&folder);
-    assert_eq!(flags(&mut window, &folder), "", "nothing has been chosen");
-    let flags = choose(&mut window, &folder, |flags| {
-        ["--adaptive", "--cutoff"].into_iter().all(|flag| flags.contains(flag))
-    });
-    // The picture in the window is the same, but for its size.
-    let flags = flags.split_once(" --size").unwrap().0;
-    window.forget();
-    window.step("Up");
-    let pose = window.pose.flags();
-    let expected = Picture::rendered(&folder, &format!("--size {} {flags} {pose}", SIZE.1));
-    window
-        .event_where("picture", |picture| picture["is_final"] == true && picture["hash"] == expected.hash());
-    window.key("ctrl+z");
-    assert_eq!(window.event("undone")["what"], "Accuracy");
-    window.close();
 }
 
 #[test]
