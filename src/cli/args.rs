@@ -109,13 +109,13 @@ pub(super) struct AccuracyArgs {
     #[arg(long, value_name = "N", value_parser = samples)]
     pub(super) samples: Option<Sampling>,
     /// Take the samples one after the other, in each pixel until its error is expected to be no more than this, 0 to 1
-    #[arg(long, value_name = "ERROR", value_parser = share)]
+    #[arg(long, value_name = "ERROR", value_parser = share, allow_negative_numbers = true)]
     pub(super) adaptive: Option<f64>,
     /// Level of recursion: 0 is black, 1 has no mirror image [default: the scene's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_LEVEL)))]
     pub(super) level: Option<u32>,
     /// Follow no ray that carries no more than this share of the light in a pixel, 0 to 1 [default: 0]
-    #[arg(long, value_name = "SHARE", value_parser = share)]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub(super) cutoff: Option<f64>,
     /// Floating-point precision of the trace [default: f64]
     #[arg(long, value_enum)]

@@ -80,14 +80,18 @@ fn bad_scenes_and_folders_are_refused() {
     folder.run("cost scene.txt --size 4").misuse();
 }
 
-/// What is done when Ctrl-C comes is kept.
+/// What is done when Ctrl-C comes is kept. Before the reference is done there is nothing to keep.
 #[test]
 fn an_interrupted_study_keeps_what_is_done() {
     let folder = Folder::with_scene();
-    let line = "$P cost scene.txt --quick --size 48 --rounds 1000 -o out & pid=$!; \
-                while ! test -s started; do sleep 0.2; ps -p $pid > /dev/null && sleep 6 && echo yes > started; done; \
-                kill -INT $pid; wait $pid";
-    let run = folder.bash(line).succeeded();
+    let interrupted_after = |seconds: u32| {
+        folder.bash(&format!(
+            "$P cost scene.txt --quick --size 48 --rounds 1000 -o out & sleep {seconds}; kill -INT $!; wait $!"
+        ))
+    };
+    // A busy machine needs longer for the reference.
+    let run = [3, 6, 12, 24, 48].into_iter().map(interrupted_after).find(|run| run.code == Some(0));
+    let run = run.expect("the reference is done within 48 s");
     assert!(run.stderr.contains("warning: interrupted"), "{run:?}");
     let report: Value = serde_json::from_slice(&folder.read("out/cost.json")).unwrap();
     assert_eq!(report["interrupted"], true);

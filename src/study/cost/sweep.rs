@@ -82,12 +82,12 @@ pub fn sweep(
                 found.interrupted = true;
                 break 'rounds;
             }
-            let shot = lab.shoot(trial.setting, clock)?;
-            if round == 0 {
-                times.push(vec![shot.milliseconds]);
-                found.add(lab, trial, shot, clock)?;
-            } else {
-                times[number].push(shot.milliseconds);
+            match found.take(lab, (round, number), trial, &mut times, clock) {
+                Err(FrameError::Cancelled) => {
+                    found.interrupted = true;
+                    break 'rounds;
+                }
+                taken => taken?,
             }
         }
         found.rounds = round + 1;
@@ -132,6 +132,25 @@ fn refer(
 }
 
 impl Sweep {
+    /// Traces a setting once more.
+    fn take(
+        &mut self,
+        lab: &mut Lab<'_>,
+        (round, number): (u32, usize),
+        trial: &Trial,
+        times: &mut Vec<Vec<f64>>,
+        clock: &mut dyn FnMut() -> f64,
+    ) -> Result<(), FrameError> {
+        let shot = lab.shoot(trial.setting, clock)?;
+        let milliseconds = shot.milliseconds;
+        if round == 0 {
+            self.add(lab, trial, shot, clock)?;
+            times.push(Vec::new());
+        }
+        times[number].push(milliseconds);
+        Ok(())
+    }
+
     fn add(
         &mut self,
         lab: &mut Lab<'_>,
