@@ -22,33 +22,35 @@ pub fn trace_adaptive<T: Real>(
     let mut counts = Counts::default();
     let effects = exposure.camera.effects();
     film.set_transfer(effects.transfer);
-    let (side, passes) = (exposure.grid.side(), exposure.grid.count());
-    for pass in 0..passes {
-        if refinement.is_done() || monitor.is_cancelled() {
-            break;
-        }
-        let tables = exposure.tables.at(T::from_f64(effects.second(exposure.grid, pass)));
+    let (grid, total) = (exposure.grid, exposure.grid.count());
+    let mut first = 0;
+    while first < total && !refinement.is_done() && !monitor.is_cancelled() {
+        // Until pixels are asked again, nobody waits for anybody; but things that move have tables for each pass.
+        let until_checked = (first + 1..total).find(|&done| Refinement::is_checked_after(done, grid.side()));
+        let next = if exposure.tables.moving.is_empty() { until_checked.unwrap_or(total) } else { first + 1 };
+        let tables = exposure.tables.at(T::from_f64(effects.second(grid, first)));
         let exposure = Exposure { tables: &tables, ..*exposure };
-        let is_checked = Refinement::is_checked_after(pass + 1, side);
-        let later = u64::from(passes - pass - 1);
+        let is_checked = first > 0 && Refinement::is_checked_after(next, grid.side());
+        let later = u64::from(total - next);
         counts += workers.pool.install(|| {
-            let trace = |band: &mut RefinedBand<'_>| {
-                let wanting = band.wanting();
-                let counts = band.trace(&exposure, workers.simd, pass);
-                let done = if is_checked && pass > 0 { band.look_inside() } else { 0 };
-                monitor.tile_done(wanting + done * later);
+            let trace = |mut band: RefinedBand<'_>| {
+                let (mut counts, wanting) = (Counts::default(), band.wanting());
+                for pass in (first..next).take_while(|_| !monitor.is_cancelled()) {
+                    counts += band.trace(&exposure, workers.simd, pass);
+                }
+                let done = if is_checked { band.look_inside() } else { 0 };
+                monitor.tile_done(wanting * u64::from(next - first) + done * later);
                 counts
             };
-            let each = refinement.bands(film).into_par_iter();
-            each.map(|mut band| if monitor.is_cancelled() { Counts::default() } else { trace(&mut band) })
-                .reduce(Counts::default, |mut sum, counts| {
-                    sum += counts;
-                    sum
-                })
+            refinement.bands(film).into_par_iter().map(trace).reduce(Counts::default, |mut sum, counts| {
+                sum += counts;
+                sum
+            })
         });
-        if pass == 0 && passes > 1 && !monitor.is_cancelled() {
+        if first == 0 && total > 1 && !monitor.is_cancelled() {
             monitor.tile_done(refinement.look_around(film) * later);
         }
+        first = next;
     }
     refinement.divide(film);
     (counts, refinement)

@@ -13,8 +13,8 @@ use crate::geometry::Real;
 
 use super::{Counts, Exposure, Simd, Trail};
 
-/// Rows of a film that are refined by one thread.
-const BAND_HEIGHT: u32 = 32;
+/// Rows of a film that one thread refines: few enough that all threads have work to the end.
+const BAND_HEIGHT: u32 = 8;
 /// Rows and columns that are refined together, as far as they want it.
 const BLOCK: u32 = 4;
 
