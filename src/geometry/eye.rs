@@ -42,7 +42,11 @@ pub fn raise(position: DVec3, [l, r, _]: [DVec3; 3], distance: f64, height: f64)
     // The rotation reflects what is perpendicular to `l` in the plane across `halfway`. The product of `r` and
     // `halfway` is that of `r` and `-climbed / length * z`: exactly 0 for a level horizon.
     let product = -climbed / length * r.z;
-    let right = r - halfway * (2.0 * product / halfway.length_squared());
+    let mut right = r - halfway * (2.0 * product / halfway.length_squared());
+    if product != 0.0 {
+        // Near half a turn `right` is off by more than the look is, which must not follow it.
+        right -= look * right.dot(look);
+    }
     let [r, l, u] = orthonormal([right, look, right.cross(look)])?;
     Some(Raised { position: raised, basis: [l, r, u].map(without_minus), distance: length })
 }
