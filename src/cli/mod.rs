@@ -2,6 +2,7 @@
 //!
 //! This is the only room that speaks to the terminal and listens to signals.
 
+mod accuracy_args;
 mod args;
 mod check;
 mod cost;
