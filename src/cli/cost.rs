@@ -13,7 +13,7 @@ use crate::components::{Precision, Snapshot};
 use crate::film::Film;
 use crate::image_file::encode_rgb8;
 use crate::study::{
-    CostReport, CostRow, EffectRow, HeatMap, Lab, Machine, PagePicture, PictureEntry, Preset, Setting, Sweep,
+    CostReport, CostRow, EffectRow, HeatMap, Lab, Machine, PagePicture, PictureEntry, Setting, Sweep,
     SweepPlan, Watch, ablate, adaptive_gains, cost_csv, cost_json, cost_page, draw_front, error_colors,
     error_map, false_colors, front_of_rows, knob_steps, next_6_db, price_of_care, sweep,
 };
@@ -37,9 +37,10 @@ pub(super) fn cost(args: &CostArgs) -> Result<(), CliError> {
     fs::create_dir_all(&folder).map_err(|error| CliError::Folder(folder.display().to_string(), error))?;
     check_folder(&folder)?;
     let stop = stop_flag()?;
-    let bytes = fs::read(&args.scene).unwrap_or_default();
     let mut world = World::new();
     load_world(&args.scene, &mut world)?;
+    // Only now: what was loaded is a file, and no endless one.
+    let bytes = fs::read(&args.scene).unwrap_or_default();
     lay_texture(&args.images, &args.scene, &mut world)?;
     aim(&args.camera, &mut world)?;
     let own = world.resource::<Snapshot>().pixels;
@@ -62,7 +63,7 @@ pub(super) fn cost(args: &CostArgs) -> Result<(), CliError> {
     let pictures = pictures(&mut lab, &found, &mut report, &folder)?;
     if !found.interrupted {
         report.care = price_of_care(&mut clock);
-        report.effects = effects(&mut world, scene, &workers, rounds, &mut clock)?;
+        report.effects = effects(&mut world, found.settings[0], &workers, rounds, &mut clock)?;
         count_instructions(args, &found, &mut report, &watch)?;
     }
     watch.bar.finish_and_clear();
@@ -204,12 +205,12 @@ fn file_name(setting: &str) -> String {
 
 fn effects(
     world: &mut World,
-    scene: Setting,
+    assignment: Setting,
     workers: &Workers,
     rounds: u32,
     clock: &mut dyn FnMut() -> f64,
 ) -> Result<Vec<EffectRow>, CliError> {
-    Preset::Assignment.of(scene).apply(world);
+    assignment.apply(world);
     prepare::<f64>(world, workers.clone());
     let ablation = match ablate::<f64>(world, rounds, clock, |_, _| ()) {
         Err(FrameError::Cancelled) => return Ok(Vec::new()),

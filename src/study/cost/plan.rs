@@ -23,18 +23,21 @@ pub(super) struct Trial {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Knobbed {
     plain_boards: bool,
-    images: bool,
-    area_lights: bool,
+    /// How its images are read, if it has any.
+    images: Option<TextureFilter>,
+    /// Shadow rays towards its area lights, the first one's if they differ.
+    area_lights: Option<u32>,
 }
 
 impl Knobbed {
     pub(super) fn of(world: &mut World) -> Self {
         let boards =
             world.query_filtered::<(), (With<Checkerboard>, Without<Textured>)>().iter(world).count();
+        let mut images = world.query_filtered::<Option<&TextureFilter>, With<Textured>>();
         Self {
             plain_boards: boards > 0,
-            images: world.query_filtered::<(), With<Textured>>().iter(world).count() > 0,
-            area_lights: world.query_filtered::<(), With<AreaLight>>().iter(world).count() > 0,
+            images: images.iter(world).next().map(|filter| filter.copied().unwrap_or_default()),
+            area_lights: world.query::<&AreaLight>().iter(world).next().map(|light| light.samples),
         }
     }
 }
@@ -46,6 +49,12 @@ pub(super) fn converged(setting: Setting) -> Setting {
 
 /// Every trial for a scene with this setting of its own, `assignment` first.
 pub(super) fn trials(scene: Setting, has: Knobbed, quick: bool) -> Vec<Trial> {
+    // Each trial says how images are read and lights sampled, lest it take over what the one before it has set.
+    let scene = Setting {
+        texture_filter: scene.texture_filter.or(has.images),
+        light_samples: scene.light_samples.or(has.area_lights),
+        ..scene
+    };
     let start = Preset::Assignment.of(scene);
     let mut trials = vec![Trial {
         name: Preset::Assignment.name().to_owned(),
@@ -128,14 +137,14 @@ fn model(trials: &mut Vec<Trial>, start: Setting, has: Knobbed, quick: bool) {
             ..knob("checker filter".to_owned(), "checker_filter", setting, None)
         });
     }
-    if has.images {
+    if has.images.is_some() {
         for (name, filter) in [("bilinear", TextureFilter::Bilinear), ("mip", TextureFilter::Mip)] {
             let setting = Setting { texture_filter: Some(filter), ..start };
             let trial = knob(format!("texture {name}"), "texture_filter", setting, None);
             trials.push(Trial { changes_model: true, ..trial });
         }
     }
-    if has.area_lights {
+    if has.area_lights.is_some() {
         let truest = Setting { light_samples: Some(256), ..start };
         let counts: &[u32] = if quick { &[1, 4, 16] } else { &[1, 4, 16, 64] };
         trials.extend(counts.iter().map(|&count| {
