@@ -10,13 +10,13 @@ use super::trace::trace_film;
 use super::{Monitor, Workers};
 
 /// Square parts of a picture, of `side` by `side` pixels each, whose first pixels are at these columns and rows: traced in
-/// parallel, each as [`Exposure`] and threshold say. `None` if there is no memory for their films.
+/// parallel, each as [`Exposure`] and threshold say, and counted each by itself. `None` if there is no memory for their films.
 pub fn trace_windows<T: Real>(
     exposure: &Exposure<'_, T>,
     threshold: Option<f64>,
     (corners, side): (&[[u32; 2]], u32),
     workers: &Workers,
-) -> Option<(Vec<Film>, Counts)> {
+) -> Option<(Vec<Film>, Vec<Counts>)> {
     let trace = |&corner: &[u32; 2]| {
         let mut film = Film::new(side)?;
         let exposure = Exposure { corner, ..*exposure };
@@ -24,10 +24,7 @@ pub fn trace_windows<T: Real>(
         Some((film, counts))
     };
     let traced: Option<Vec<_>> = workers.pool.install(|| corners.par_iter().map(trace).collect());
-    let (films, each): (Vec<_>, Vec<_>) = traced?.into_iter().unzip();
-    let mut counts = Counts::default();
-    each.into_iter().for_each(|more| counts += more);
-    Some((films, counts))
+    Some(traced?.into_iter().unzip())
 }
 
 /// How many rays the first sample of each pixel takes, of all kinds together; top row first.

@@ -1,14 +1,15 @@
 //! The cheapest setting that meets a wish, from a look at a few parts of the picture.
 //!
-//! Windows of the picture, spread over it, are traced with every candidate and compared with the same windows at many samples
-//! and great depth. Times are scaled by those of one whole picture. Both are predictions: a picture can hold a surprise
-//! between the windows.
+//! Whole pictures with one sample a pixel tell what depth and precision cost, and where errors are to be expected. Cells drawn
+//! by that are traced with every candidate and compared with the same cells at many samples. What comes out is a prediction:
+//! a picture can hold a surprise between the cells.
 
 use crate::components::Precision;
 use crate::film::Film;
 use crate::systems::FrameError;
 
-use super::{Glimpse, Lab, Setting, Windows};
+use super::cells::Cells;
+use super::{Difference, Glimpse, Lab, Setting, Shot};
 
 /// What somebody wants of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,12 +31,24 @@ pub struct FrontPoint {
     pub milliseconds: f64,
     /// Root mean squared error, 0 to 1, predicted; 0 where no difference was seen.
     pub rmse: f64,
+    /// What it hardly exceeds: two standard errors of the mean square more.
+    pub rmse_bound: f64,
 }
 
 impl FrontPoint {
     /// Peak signal to noise in decibels, infinite where no difference was seen.
     pub fn psnr_db(&self) -> f64 {
-        -20.0 * self.rmse.log10()
+        decibels(self.rmse)
+    }
+
+    /// Whether it is expected to meet a wish.
+    fn meets(&self, wish: Wish) -> bool {
+        let is_close_to = |wanted: f64| decibels(self.rmse_bound) >= wanted + CAUTION_DB;
+        match wish {
+            Wish::Budget(milliseconds) => self.milliseconds <= CAUTION * milliseconds,
+            Wish::Decibels(wanted) => is_close_to(wanted),
+            Wish::Levels(levels) => is_close_to(decibels(levels / 255.0)),
+        }
     }
 }
 
@@ -46,7 +59,7 @@ pub struct Choice {
     pub point: FrontPoint,
     /// Whether it is expected to meet it.
     pub meets: bool,
-    /// All candidates that no other beats in both, the fastest first.
+    /// All candidates that were tried and that no other beats in both, the fastest first.
     pub front: Vec<FrontPoint>,
 }
 
@@ -59,21 +72,20 @@ pub struct Chooser {
     pub depth: bool,
 }
 
-/// Pixels along each side of a window, and how many of them at its edge are not judged: adaptive sampling cannot look
-/// around there.
-const WINDOW: u32 = 16;
-const RIM: usize = 1;
-/// A window for so many pixels along each side of the picture.
-const SPACING: u32 = 96;
-/// Sample points along each side of a pixel of what windows are compared with: prime to those of the candidates.
+/// Pixels along each side of the whole pictures that are traced, at most: for more of them times are scaled.
+const LOOK: u32 = 1024;
+/// Sample points along each side of a pixel of what cells are compared with: prime to those of the candidates.
 const TRUTH: u32 = 13;
 /// How deep mirrors are followed there.
 const TRUTH_LEVEL: u32 = 64;
-/// How often each time is taken.
+/// How often the times of whole pictures and of cells are taken.
+const WHOLE_ROUNDS: u32 = 2;
 const ROUNDS: u32 = 3;
 /// Share of a budget that is planned with, and decibels beyond a target: predictions are off by about as much.
 const CAUTION: f64 = 0.92;
-const CAUTION_DB: f64 = 1.0;
+const CAUTION_DB: f64 = 0.3;
+/// Mean square of what single precision may change: a pixel or two that fall on the other side of an edge.
+const VISIBLE: f64 = 1e-5;
 
 /// Sampling of the candidates: points along each side of a pixel, and the threshold of adaptive ones.
 const SAMPLINGS: [(u32, Option<f64>); 17] = [
@@ -104,9 +116,9 @@ pub fn choose(
     wish: Wish,
     clock: &mut dyn FnMut() -> f64,
 ) -> Result<Choice, FrameError> {
-    let front = free.front(lab, start, clock)?;
-    Ok(pick(front, wish).unwrap_or_else(|| {
-        let point = FrontPoint { setting: start, milliseconds: 0.0, rmse: 1.0 };
+    let points = free.points(lab, start, Some(wish), clock)?;
+    Ok(pick(points, wish).unwrap_or_else(|| {
+        let point = FrontPoint { setting: start, milliseconds: 0.0, rmse: 1.0, rmse_bound: 1.0 };
         Choice { point, meets: false, front: Vec::new() }
     }))
 }
@@ -119,63 +131,55 @@ impl Chooser {
         start: Setting,
         clock: &mut dyn FnMut() -> f64,
     ) -> Result<Vec<FrontPoint>, FrameError> {
-        let precision =
-            if self.precision { self.cheapest_precision(lab, start, clock)? } else { start.precision };
-        let plain = Setting { side: 1, threshold: None, precision, ..start };
-        let windows = spread(plain.pixels);
-        // 1. The truth, and one whole picture.
-        let deep = Setting { level: start.level.max(TRUTH_LEVEL), cutoff: 1.0 / 65536.0, ..plain };
-        let truth = lab.glimpse(Setting { side: TRUTH, ..deep }, &windows, clock)?;
-        let whole = (0..ROUNDS)
-            .map(|_| lab.shoot(plain, clock).map(|shot| shot.milliseconds))
-            .try_fold(f64::INFINITY, |least, next| next.map(|next| least.min(next)))?;
-        // 2. Depths, at one sample a pixel; their errors do not mix with those of sampling.
-        let look = |lab: &mut Lab<'_>, setting, clock: &mut dyn FnMut() -> f64| {
-            glance(lab, setting, &windows, clock)
-        };
-        let (deep_glimpse, deep_time) = look(lab, deep, clock)?;
-        let (_, plain_time) = look(lab, plain, clock)?;
-        let scale = whole / plain_time.max(f64::MIN_POSITIVE);
-        let mut depths = Vec::new();
-        for setting in self.depths(plain) {
-            let (glimpse, time) = look(lab, setting, clock)?;
-            depths.push((
-                setting,
-                time / deep_time.max(f64::MIN_POSITIVE),
-                mean_square(&glimpse, &deep_glimpse),
-            ));
-        }
-        // 3. Samplings, at the depth of the truth.
-        let mut points = Vec::new();
-        for (side, threshold) in SAMPLINGS {
-            let sampled = Setting { side, threshold, ..deep };
-            let (glimpse, time) = look(lab, sampled, clock)?;
-            let error = mean_square(&glimpse, &truth);
-            points.extend(depths.iter().map(|&(depth, share, depth_error)| FrontPoint {
-                setting: Setting { side, threshold, ..depth },
-                milliseconds: time * share * scale,
-                rmse: (error + depth_error).sqrt(),
-            }));
-        }
-        Ok(front_of(points))
+        Ok(front_of(self.points(lab, start, None, clock)?))
     }
 
-    /// Single precision, unless it shows.
-    fn cheapest_precision(
+    /// The candidates, without those that cannot be what is wished.
+    fn points(
         self,
         lab: &mut Lab<'_>,
         start: Setting,
+        wish: Option<Wish>,
         clock: &mut dyn FnMut() -> f64,
-    ) -> Result<Precision, FrameError> {
-        /// A pixel or two that fall on the other side of an edge do not.
-        const VISIBLE: f64 = 1e-5;
-        let windows = spread(start.pixels);
-        let plain = Setting { side: 1, threshold: None, ..start };
-        let double = lab.glimpse(Setting { precision: Precision::F64, ..plain }, &windows, clock)?;
-        // A World beyond the range of single precision has no such picture.
-        let single = lab.glimpse(Setting { precision: Precision::F32, ..plain }, &windows, clock);
-        let is_equal = single.is_ok_and(|single| mean_square(&single, &double) < VISIBLE);
-        Ok(if is_equal { Precision::F32 } else { Precision::F64 })
+    ) -> Result<Vec<FrontPoint>, FrameError> {
+        let plain = Setting { side: 1, threshold: None, pixels: start.pixels.min(LOOK), ..start };
+        let precision = if self.precision { cheapest_precision(lab, plain, clock)? } else { start.precision };
+        let plain = Setting { precision, ..plain };
+        // 1. Whole pictures: what depths cost. Their errors do not mix with those of sampling.
+        let deep = Setting { level: start.level.max(TRUTH_LEVEL), cutoff: 1.0 / 65536.0, ..plain };
+        let reference = lab.shoot(deep, clock)?.film;
+        let mut depths = Vec::new();
+        for setting in self.depths(plain) {
+            depths.push(Depth::of(lab, setting, &reference, clock)?);
+        }
+        // 2. Cells where errors are to be expected, and the truth there.
+        let met = lab.shoot(Setting { threshold: Some(f64::INFINITY), ..deep }, clock)?;
+        let errors = met.refinement.map(|refinement| refinement.expected_errors(&met.film));
+        let cells = Cells::draw(start.pixels, plain.pixels, &errors.unwrap_or_default());
+        let deep = Setting { pixels: start.pixels, ..deep };
+        let truth = lab.glimpse(Setting { side: TRUTH, ..deep }, cells.windows(), clock)?;
+        // 3. Samplings there, at the depth of the truth.
+        let scale = (f64::from(start.pixels) / f64::from(plain.pixels.max(1))).powi(2);
+        let mut first = None;
+        let mut points: Vec<FrontPoint> = Vec::new();
+        for (side, threshold) in SAMPLINGS {
+            let least = depths.iter().map(|depth| depth.milliseconds).fold(f64::INFINITY, f64::min) * scale;
+            if threshold.is_none() && is_too_slow(least * f64::from(side * side), wish, &points) {
+                continue;
+            }
+            let glimpse = glance(lab, Setting { side, threshold, ..deep }, &cells, clock)?;
+            let one = first.get_or_insert_with(|| glimpse.clone());
+            let times = glimpse.milliseconds / one.milliseconds.max(f64::MIN_POSITIVE);
+            let times = times * cells.rays_missed(&glimpse, one) * scale;
+            let error = cells.mean_square(&glimpse, &truth);
+            points.extend(depths.iter().map(|depth| FrontPoint {
+                setting: Setting { side, threshold, pixels: start.pixels, ..depth.setting },
+                milliseconds: depth.milliseconds * times,
+                rmse: (error.mean + depth.error).sqrt(),
+                rmse_bound: (error.mean + 2.0 * error.deviation + depth.error).sqrt(),
+            }));
+        }
+        Ok(points)
     }
 
     fn depths(self, plain: Setting) -> Vec<Setting> {
@@ -183,64 +187,81 @@ impl Chooser {
             return vec![plain];
         }
         let levels = [(1, 0.0), (2, 0.0), (plain.level, 0.0), (8, 1.0 / 256.0), (TRUTH_LEVEL, 1.0 / 4096.0)];
-        levels.map(|(level, cutoff)| Setting { level, cutoff, ..plain }).to_vec()
+        let mut depths: Vec<Setting> = Vec::new();
+        for (level, cutoff) in levels {
+            let depth = Setting { level, cutoff, ..plain };
+            if !depths.contains(&depth) {
+                depths.push(depth);
+            }
+        }
+        depths
     }
 }
 
-/// Windows over a picture of so many pixels along each side, one in each cell of a square grid, at a place of its own in it.
-fn spread(pixels: u32) -> Windows {
-    let side = WINDOW.min(pixels);
-    let cells = (pixels / SPACING).clamp(4, 24).min(pixels / side).max(1);
-    let cell = pixels / cells;
-    let room = cell - side + 1;
-    let corner = |row: u32, column: u32| {
-        // The golden section and its square spread the places evenly (R. Roberts' R2 sequence has the same idea).
-        let number = row * cells + column;
-        let place = |step: u32| ((number.wrapping_mul(step) >> 16) * room) >> 16;
-        [column * cell + place(0x9e37_79b9), row * cell + place(0x6180_339d)]
-    };
-    let corners = (0..cells).flat_map(|row| (0..cells).map(move |column| corner(row, column))).collect();
-    Windows { corners, side }
+/// How far paths are followed, and what that costs at one sample a pixel.
+struct Depth {
+    setting: Setting,
+    milliseconds: f64,
+    /// Mean square of what is lost.
+    error: f64,
 }
 
-/// The windows with a setting, and the least time of some.
+impl Depth {
+    fn of(
+        lab: &mut Lab<'_>,
+        setting: Setting,
+        reference: &Film,
+        clock: &mut dyn FnMut() -> f64,
+    ) -> Result<Self, FrameError> {
+        let Shot { film, mut milliseconds, .. } = lab.shoot(setting, clock)?;
+        for _ in 1..WHOLE_ROUNDS {
+            milliseconds = milliseconds.min(lab.shoot(setting, clock)?.milliseconds);
+        }
+        Ok(Self { setting, milliseconds, error: mean_square(&film, reference) })
+    }
+}
+
+/// Single precision, unless it shows.
+fn cheapest_precision(
+    lab: &mut Lab<'_>,
+    plain: Setting,
+    clock: &mut dyn FnMut() -> f64,
+) -> Result<Precision, FrameError> {
+    let double = lab.shoot(Setting { precision: Precision::F64, ..plain }, clock)?;
+    // A World beyond the range of single precision has no such picture.
+    let single = lab.shoot(Setting { precision: Precision::F32, ..plain }, clock);
+    let is_equal = single.is_ok_and(|single| mean_square(&single.film, &double.film) < VISIBLE);
+    Ok(if is_equal { Precision::F32 } else { Precision::F64 })
+}
+
+/// Whether something that takes at least so many milliseconds will not be chosen.
+fn is_too_slow(least: f64, wish: Option<Wish>, points: &[FrontPoint]) -> bool {
+    match wish {
+        None => false,
+        Some(Wish::Budget(milliseconds)) => !points.is_empty() && least > milliseconds,
+        Some(wish) => points.iter().any(|point| point.meets(wish) && point.milliseconds < least),
+    }
+}
+
+/// The cells with a setting, and the least time of some.
 fn glance(
     lab: &mut Lab<'_>,
     setting: Setting,
-    windows: &Windows,
+    cells: &Cells,
     clock: &mut dyn FnMut() -> f64,
-) -> Result<(Glimpse, f64), FrameError> {
-    let first = lab.glimpse(setting, windows, clock)?;
-    let mut least = first.milliseconds;
+) -> Result<Glimpse, FrameError> {
+    let mut first = lab.glimpse(setting, cells.windows(), clock)?;
     // What takes long is measured well enough at once.
     let rounds = if setting.side > 5 { 1 } else { ROUNDS };
     for _ in 1..rounds {
-        least = least.min(lab.glimpse(setting, windows, clock)?.milliseconds);
+        first.milliseconds =
+            first.milliseconds.min(lab.glimpse(setting, cells.windows(), clock)?.milliseconds);
     }
-    Ok((first, least))
+    Ok(first)
 }
 
-/// Of all channels within the rims of the windows.
-fn mean_square(a: &Glimpse, b: &Glimpse) -> f64 {
-    let (mut sum, mut count) = (0.0, 0_u32);
-    for (a, b) in a.films.iter().zip(&b.films) {
-        for (a, b) in inner(a).zip(inner(b)) {
-            sum += (0..3).map(|channel| (a[channel] - b[channel]).powi(2)).sum::<f64>();
-            count += 3;
-        }
-    }
-    sum / f64::from(count.max(1))
-}
-
-fn inner(film: &Film) -> impl Iterator<Item = &[f64; 3]> {
-    let side = film.side() as usize;
-    let rim = if side > 2 * RIM { RIM } else { 0 };
-    let inside = move |place: usize| (rim..side - rim).contains(&place);
-    film.pixels()
-        .iter()
-        .enumerate()
-        .filter(move |(index, _)| inside(index % side) && inside(index / side))
-        .map(|(_, pixel)| pixel)
+fn mean_square(a: &Film, b: &Film) -> f64 {
+    Difference::between(a, b).map_or(1.0, |difference| difference.rmse.powi(2))
 }
 
 /// Those that no other beats in both, the fastest first.
@@ -255,27 +276,25 @@ fn front_of(mut points: Vec<FrontPoint>) -> Vec<FrontPoint> {
     points
 }
 
-/// What meets a wish on a front; nothing on an empty one.
-fn pick(front: Vec<FrontPoint>, wish: Wish) -> Option<Choice> {
-    let fitting = |point: &&FrontPoint| match wish {
-        Wish::Budget(milliseconds) => point.milliseconds <= CAUTION * milliseconds,
-        Wish::Decibels(decibels) => point.psnr_db() >= decibels + CAUTION_DB,
-        Wish::Levels(levels) => point.psnr_db() >= decibels_of(levels) + CAUTION_DB,
-    };
+/// What meets a wish; nothing of nothing.
+fn pick(points: Vec<FrontPoint>, wish: Wish) -> Option<Choice> {
+    let by_time = |a: &&FrontPoint, b: &&FrontPoint| a.milliseconds.total_cmp(&b.milliseconds);
+    let by_error =
+        |a: &&FrontPoint, b: &&FrontPoint| a.rmse_bound.total_cmp(&b.rmse_bound).then(by_time(a, b));
+    let fitting = || points.iter().filter(|point| point.meets(wish));
     let found = match wish {
-        // The best of what fits, which is the last; else what takes least.
-        Wish::Budget(_) => front.iter().rfind(fitting).or(front.first()),
-        // The first that is good enough; else the best there is.
-        Wish::Decibels(_) | Wish::Levels(_) => front.iter().find(fitting).or(front.last()),
+        // The best of what fits; else what takes least.
+        Wish::Budget(_) => fitting().min_by(by_error).or(points.iter().min_by(by_time)),
+        // The cheapest that is good enough; else the best there is.
+        Wish::Decibels(_) | Wish::Levels(_) => fitting().min_by(by_time).or(points.iter().min_by(by_error)),
     };
     let point = *found?;
-    let meets = fitting(&&point);
-    Some(Choice { point, meets, front })
+    Some(Choice { point, meets: point.meets(wish), front: front_of(points) })
 }
 
-/// Peak signal to noise of a root mean squared error of so many levels of 8 bits.
-fn decibels_of(levels: f64) -> f64 {
-    -20.0 * (levels / 255.0).log10()
+/// Peak signal to noise of a root mean squared error, 0 to 1.
+fn decibels(rmse: f64) -> f64 {
+    -20.0 * rmse.log10()
 }
 
 #[cfg(test)]
@@ -294,7 +313,7 @@ mod tests {
             light_samples: None,
             pixels: 8,
         };
-        FrontPoint { setting, milliseconds, rmse }
+        FrontPoint { setting, milliseconds, rmse, rmse_bound: rmse }
     }
 
     #[test]
@@ -313,23 +332,9 @@ mod tests {
         assert_eq!(picked(Wish::Budget(0.5)), Some((1.0, false)));
         assert_eq!(picked(Wish::Decibels(35.0)), Some((10.0, true)));
         // 0.01 is 40 dB: too close to be sure of.
-        assert_eq!(picked(Wish::Decibels(39.5)), Some((100.0, true)));
+        assert_eq!(picked(Wish::Decibels(39.8)), Some((100.0, true)));
         assert_eq!(picked(Wish::Decibels(70.0)), Some((100.0, false)));
         assert_eq!(picked(Wish::Levels(3.0)), Some((10.0, true)));
         assert_eq!(pick(Vec::new(), Wish::Budget(1.0)), None);
-    }
-
-    #[test]
-    fn windows_lie_in_the_picture_and_apart() {
-        for pixels in [1, 3, 15, 16, 17, 64, 100, 255, 768, 1024, 8192] {
-            let Windows { corners, side } = spread(pixels);
-            assert!(!corners.is_empty() && side <= pixels, "{pixels}");
-            for (number, [column, row]) in corners.iter().enumerate() {
-                assert!(column + side <= pixels && row + side <= pixels, "{pixels}");
-                let apart =
-                    |other: &[u32; 2]| column.abs_diff(other[0]) >= side || row.abs_diff(other[1]) >= side;
-                assert!(corners[..number].iter().all(apart), "{pixels}");
-            }
-        }
     }
 }

@@ -51,8 +51,8 @@ pub struct Windows {
 pub struct Glimpse {
     /// One for each window.
     pub films: Vec<Film>,
-    /// What was counted.
-    pub counts: Counts,
+    /// What was counted in each window.
+    pub counts: Vec<Counts>,
     /// Milliseconds of the trace.
     pub milliseconds: f64,
 }

@@ -6,6 +6,7 @@
 mod ablation;
 mod bars;
 mod care;
+mod cells;
 mod chooser;
 mod cost;
 mod difference;

@@ -105,6 +105,14 @@ impl Refinement {
             .collect()
     }
 
+    /// The errors (0 to 1) to be expected of the pixels of a film that has one sample of each, as those that have met what
+    /// and look how around them tell; top row first.
+    pub fn expected_errors(&self, film: &Film) -> Vec<f64> {
+        let around = Around { side: self.side, colors: film.pixels(), trails: &self.trails };
+        let pixels = (0..self.side).flat_map(|row| (0..self.side).map(move |column| (column, row)));
+        pixels.map(|(column, row)| around.error(column, row)).collect()
+    }
+
     /// After the first sample: finds the pixels that want more, by what is around them. Returns how many do not.
     pub fn look_around(&mut self, film: &Film) -> u64 {
         let Self { side, threshold, trails, .. } = self;

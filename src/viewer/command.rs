@@ -21,6 +21,10 @@ pub(super) enum Command {
     NextShows,
     /// The strip of figures on or off.
     ToggleStrip,
+    /// The next faster setting of what accuracy costs.
+    Faster,
+    /// The next truer one.
+    Truer,
     /// Panel on or off.
     TogglePanel,
     /// Markers of the lights on or off.

@@ -11,6 +11,7 @@ use super::live::Shows;
 use super::panel::name_of;
 use super::report::Happened;
 use super::session::{Session, Switches};
+use super::steps::Way;
 
 /// What becomes of the window after a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +34,8 @@ impl Session {
             Command::NextMode => self.set_mode(next(self.switches.mode)),
             Command::NextShows => self.set_shows(next_shows(self.switches.shows)),
             Command::ToggleStrip => self.switch("strip", |switches| &mut switches.strip),
+            Command::Faster => self.step_accuracy(Way::Faster),
+            Command::Truer => self.step_accuracy(Way::Truer),
             Command::TogglePanel => self.switch("panel", |switches| &mut switches.panel),
             Command::ToggleLights => self.switch("lights", |switches| &mut switches.lights),
             Command::ToggleAxes => self.switch("axes", |switches| &mut switches.axes),

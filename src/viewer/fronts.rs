@@ -15,6 +15,7 @@ use crate::systems::{Muted, Tables, Workers};
 
 use super::editor::accuracy;
 use super::live::Shows;
+use super::report::Happened;
 use super::session::Session;
 use super::traced_view::traced_pose;
 
@@ -81,21 +82,26 @@ impl Fronts {
         self.front.is_under_way = is_started;
     }
 
-    fn collect(&mut self) {
-        let Some(found) = &self.found else { return };
-        match found.try_recv() {
-            Ok(points) => self.front = Front { points, is_under_way: false },
-            Err(TryRecvError::Empty) => return,
-            Err(TryRecvError::Disconnected) => self.front.is_under_way = false,
+    /// Takes what was measured; returns whether anything was.
+    fn collect(&mut self) -> bool {
+        let Some(found) = &self.found else { return false };
+        let measured = found.try_recv();
+        if measured != Err(TryRecvError::Empty) {
+            self.found = None;
+            self.front.is_under_way = false;
         }
-        self.found = None;
+        let is_new = measured.is_ok();
+        self.front.points = measured.unwrap_or_else(|_| std::mem::take(&mut self.front.points));
+        is_new
     }
 }
 
 impl Session {
     /// Takes what has been measured, and begins to measure as soon as a picture is complete and nobody has done so.
     pub(super) fn measure_front(&mut self) {
-        self.fronts.collect();
+        if self.fronts.collect() {
+            self.report.event(&Happened::Front { settings: self.fronts.front.points.len() });
+        }
         let is_complete = |shown: &super::live::Shown| shown.is_final && shown.shows == Shows::Picture;
         let is_time = self.switches.strip && self.refined.newest().is_some_and(is_complete);
         if is_time && self.fronts.is_wanted && self.fronts.found.is_none() {

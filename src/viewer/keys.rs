@@ -134,6 +134,11 @@ pub(super) const KEYS: &[KeyRow] = &[
         &[plain(Sign('h'), Command::NextShows)],
     ),
     row("i", "strip of figures on / off", &[plain(Sign('i'), Command::ToggleStrip)]),
+    row(
+        "f / g",
+        "faster / truer: one step along what accuracy costs here",
+        &[plain(Sign('f'), Command::Faster), plain(Sign('g'), Command::Truer)],
+    ),
     row("space", "texture on / off", &[plain(Named(NamedKey::Space), Command::ToggleTexture)]),
     row(
         "l / x",

@@ -31,6 +31,7 @@ mod selection;
 mod session;
 mod snapshot;
 mod status;
+mod steps;
 #[cfg(test)]
 mod test_views;
 mod traced_view;

@@ -48,6 +48,10 @@ pub(super) enum Happened<'a> {
     Picture { side: u32, samples: u32, is_final: bool, hash: &'a str },
     /// A picture in false colours for the window is complete; its scale goes to this number.
     HeatMap { what: &'a str, side: u32, most: f64 },
+    /// What accuracy costs has been measured, with so many settings to choose from.
+    Front { settings: usize },
+    /// Another accuracy was chosen by key: the flags of `render` that make the same.
+    Accuracy { flags: &'a str },
     /// Something could not be done.
     Failed { what: &'a str, message: &'a str },
 }

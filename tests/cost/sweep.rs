@@ -1,6 +1,6 @@
 //! The sweep itself: what must hold of its rows, and that its floor is real.
 
-use archetrace::components::{Precision, Snapshot};
+use archetrace::components::{AreaLight, Light, Precision, Snapshot};
 use archetrace::scene::{Source, spawn};
 use archetrace::study::{
     Chooser, Difference, Lab, Preset, Setting, Sweep, SweepPlan, Watch, Wish, adaptive_gains, choose,
@@ -79,6 +79,34 @@ fn a_reference_of_another_grid_agrees_within_the_floor() {
     let apart = Difference::between(&other.film, &found.truth).unwrap();
     assert!(apart.rmse <= found.reference.floor_rmse, "{} {}", apart.rmse, found.reference.floor_rmse);
     assert!(apart.rmse > 0.0);
+}
+
+/// Shadow rays and texture filters are parts of entities: a trial that turns them must not do so for the next.
+#[test]
+fn every_row_is_that_of_its_setting_alone() {
+    let with_area_light = || {
+        let mut world = world();
+        let light = world.query_filtered::<Entity, With<Light>>().iter(&world).next().unwrap();
+        world.entity_mut(light).insert(AreaLight { radius: 20.0, samples: 4 });
+        world.resource_mut::<Snapshot>().pixels = 12;
+        world
+    };
+    let mut world = with_area_light();
+    let scene = Setting::of(&mut world, Precision::F64);
+    let plan = SweepPlan { quick: true, rounds: 2 };
+    let mut lab = Lab::new(&mut world, &Workers::new(None).unwrap());
+    let found = sweep(&mut lab, scene, plan, &mut clock(), &mut Unwatched).unwrap();
+    assert!(found.rows.iter().any(|row| row.knob == "light_samples"));
+    for (name, side, light_samples) in
+        [("assignment", 1, 4), ("samples 4", 2, 4), ("light samples 16", 1, 16)]
+    {
+        let row = found.rows.iter().find(|row| row.setting == name).unwrap();
+        let mut world = with_area_light();
+        let mut lab = Lab::new(&mut world, &Workers::new(None).unwrap());
+        let setting = Setting { side, light_samples: Some(light_samples), ..Preset::Assignment.of(scene) };
+        let shot = lab.shoot(setting, &mut clock()).unwrap();
+        assert_eq!(row.rays, shot.counts.rays.total(), "{name}");
+    }
 }
 
 #[test]

@@ -145,7 +145,7 @@ fn windows_are_parts_of_the_picture() {
         trace_picture(&exposure, &mut whole, &workers(2), &Monitor::default());
         let corners = [[0, 0], [5, 9], [camera.pixels() - 11, 3]];
         let (films, counts) = trace_windows(&exposure, None, (&corners, 11), &workers(2)).unwrap();
-        assert_eq!(counts.rays.primary, 3 * 11 * 11 * 4);
+        assert!(counts.iter().all(|counts| counts.rays.primary == 11 * 11 * 4));
         for (film, [left, top]) in films.iter().zip(corners) {
             for (row, pixels) in film.pixels().chunks(11).enumerate() {
                 let start = (top as usize + row) * camera.pixels() as usize + left as usize;

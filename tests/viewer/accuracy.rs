@@ -41,6 +41,31 @@ fn maps_of_errors_and_rays_come_and_go() {
 }
 
 #[test]
+fn keys_go_along_the_front_that_was_measured_and_the_picture_is_that_of_its_flags() {
+    let folder = folder(48);
+    let mut window = Window::open(&folder, "scene.txt");
+    window.key("t");
+    window.event("mode");
+    let settings = window.event("front")["settings"].as_u64().unwrap();
+    assert!(settings > 2, "a front of {settings} settings");
+    for key in ["g", "g", "f"] {
+        window.key(key);
+        let chosen = window.event("accuracy");
+        let expected = Picture::rendered(&folder, chosen["flags"].as_str().unwrap());
+        window.event_where("picture", |picture| {
+            picture["is_final"] == true && picture["hash"] == expected.hash()
+        });
+    }
+    for _ in 0..3 {
+        window.key("ctrl+z");
+        window.event("undone");
+    }
+    let expected = Picture::rendered(&folder, "--samples 9");
+    window.event_where("picture", |picture| picture["hash"] == expected.hash());
+    window.close();
+}
+
+#[test]
 fn the_strip_is_over_wide_windows_and_can_be_put_away() {
     let folder = folder(60);
     let mut window = open(&folder);

@@ -82,7 +82,7 @@ fn is_punctuation(sign: char) -> bool {
 }
 
 /// Digits and the table's letters on a plain keyboard.
-pub(super) const PLACES: [(KeyCode, char); 21] = [
+pub(super) const PLACES: [(KeyCode, char); 23] = [
     (KeyCode::Digit0, '0'),
     (KeyCode::Digit1, '1'),
     (KeyCode::Digit2, '2'),
@@ -94,6 +94,8 @@ pub(super) const PLACES: [(KeyCode, char); 21] = [
     (KeyCode::Digit8, '8'),
     (KeyCode::Digit9, '9'),
     (KeyCode::KeyD, 'd'),
+    (KeyCode::KeyF, 'f'),
+    (KeyCode::KeyG, 'g'),
     (KeyCode::KeyH, 'h'),
     (KeyCode::KeyI, 'i'),
     (KeyCode::KeyL, 'l'),

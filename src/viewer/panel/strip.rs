@@ -4,8 +4,9 @@ use bevy_ecs::prelude::*;
 use egui::{Area, Color32, Frame, Id, Label, Margin, Order, Rect, RichText, Sense, Slider, Ui, pos2, vec2};
 
 use crate::study::{FrontPoint, Preset, Setting, error_share, false_color};
-use crate::viewer::editor::{Editor, accuracy, own_level};
+use crate::viewer::editor::{Editor, accuracy};
 use crate::viewer::live::Shows;
+use crate::viewer::steps::{is_at, nearest, steps};
 
 use super::is_held;
 use super::status::{Request, Status};
@@ -139,35 +140,6 @@ fn slider(ui: &mut Ui, world: &mut World, editor: &mut Editor, status: &Status, 
     {
         requests.push(Request::MeasureFront);
     }
-}
-
-/// The settings of the slider, from faster to truer: of the scene's front, in a picture as it is asked for now.
-fn steps(world: &World, now: Setting, points: &[FrontPoint]) -> Vec<Setting> {
-    if points.is_empty() {
-        let scene = Setting { level: own_level(world).unwrap_or(now.level), ..now };
-        return Preset::ALL.map(|preset| preset.of(scene)).to_vec();
-    }
-    let as_now = |point: &FrontPoint| {
-        let Setting { side, threshold, level, cutoff, precision, .. } = point.setting;
-        Setting { side, threshold, level, cutoff, precision, ..now }
-    };
-    points.iter().map(as_now).collect()
-}
-
-/// Whether what the slider moves is the same.
-fn is_at(a: &Setting, b: &Setting) -> bool {
-    let Setting { side, threshold, level, cutoff, precision, .. } = *a;
-    Setting { side, threshold, level, cutoff, precision, ..*b } == *b
-}
-
-/// The place of a setting, or of the one with about as many samples and rays in a row.
-fn nearest(steps: &[Setting], now: &Setting) -> usize {
-    let effort = |setting: &Setting| f64::from(setting.side) * f64::from(setting.level.clamp(1, 8)).sqrt();
-    let distance = |setting: &Setting| {
-        if is_at(setting, now) { -1.0 } else { (effort(setting) / effort(now)).ln().abs() }
-    };
-    let places = steps.iter().enumerate().map(|(place, setting)| (place, distance(setting)));
-    places.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(place, _)| place)
 }
 
 fn name(steps: &[Setting], place: usize) -> String {

@@ -177,8 +177,12 @@ fn the_slider_goes_through_the_presets_until_a_front_is_known() {
 fn the_slider_goes_along_the_front_and_tells_predicted_prices() {
     let mut screen = with_strip();
     let scene = Setting { pixels: 999, ..now(&mut screen) };
-    let point =
-        |side, milliseconds, rmse| FrontPoint { setting: Setting { side, ..scene }, milliseconds, rmse };
+    let point = |side, milliseconds, rmse| FrontPoint {
+        setting: Setting { side, ..scene },
+        milliseconds,
+        rmse,
+        rmse_bound: rmse,
+    };
     screen.status.front.points = vec![point(1, 10.0, 0.1), point(3, 90.0, 0.01), point(8, 640.0, 0.001)];
     screen.settle();
     slide(&mut screen, 1.0);
