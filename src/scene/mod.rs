@@ -21,6 +21,7 @@ mod parser;
 mod problem;
 mod source;
 mod spawn;
+mod values;
 mod write;
 
 pub use description::{
