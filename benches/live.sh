@@ -33,22 +33,26 @@ measure() {
     local window start end
     # shellcheck disable=SC2046
     exec {events}< <(exec target/release/archetrace view benches/s0/scene.txt $(<benches/s0/scene.cam) \
-        --precision "$1" --print-events --out "$folder")
+        --precision "$1" --print-events --print-camera --out "$folder")
     await '"ready"'
     window=$(xdotool search --onlyvisible --name archetrace | tail -1)
     xdotool windowsize "$window" $side $side windowfocus "$window"
     await '"resized"' "\"side\":$side"
     exec {hands}> >(exec xdotool -)
-    echo "key --delay 0 t" >&"$hands"
+    # Without the strip: what accuracy costs is not measured meanwhile.
+    echo "key i" >&"$hands"
+    await '"strip"'
+    echo "key t" >&"$hands"
     await '"picture"' '"is_final":true'
     start=$EPOCHREALTIME
     for ((turn = 0; turn < turns; turn++)); do
-        echo "key --delay 0 $((turn / 10 % 2 + 1))" >&"$hands"
-        await '"picture"' '"samples":1,'
+        echo "key --delay 2 $((turn / 10 % 2 + 1))" >&"$hands"
+        await '"pos"'
+        await '"picture"'
     done
     end=$EPOCHREALTIME
     awk "BEGIN { printf \"| %s | %.1f | %.1f |\\n\", \"$1\", $turns / ($end - $start), 1000 * ($end - $start) / $turns }"
-    echo "key --delay 0 ctrl+q" >&"$hands"
+    echo "key ctrl+q" >&"$hands"
     # It ends before its display does.
     cat <&"$events" >/dev/null
     exec {hands}>&- {events}<&-
