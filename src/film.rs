@@ -1,5 +1,7 @@
 //! The film: a square picture in linear colour.
 
+use core::ops::Range;
+
 use crate::effects::{SrgbLevels, Transfer};
 
 /// Linear red, green and blue of each pixel, 0 to 1; row 0 is the top, rows follow each other.
@@ -129,10 +131,11 @@ impl<'a> FilmBand<'a> {
         u32::try_from(self.pixels.len() / (self.side as usize).max(1)).unwrap_or(u32::MAX)
     }
 
-    /// The pixel in this row of the band and this column of the film.
+    /// The pixels in this row of the band and these columns of the film.
     #[inline(always)]
-    pub fn pixel_mut(&mut self, row: u32, column: u32) -> &mut [f64; 3] {
-        &mut self.pixels[row as usize * self.side as usize + column as usize]
+    pub fn pixels_mut(&mut self, row: u32, columns: Range<u32>) -> &mut [[f64; 3]] {
+        let first = row as usize * self.side as usize;
+        &mut self.pixels[first + columns.start as usize..first + columns.end as usize]
     }
 }
 

@@ -8,7 +8,8 @@ use glam::DVec3;
 use crate::components::range::{COLOR, DENSITY};
 use crate::components::{Background, Fog};
 use crate::effects::{Effect, Gradient, Haze, Rgb};
-use crate::geometry::Real;
+use crate::geometry::{Real, Unit};
+use crate::trace::SceneTables;
 
 use super::problem::{Checks, WorldProblem};
 use super::{Muted, Tables};
@@ -24,12 +25,13 @@ pub(super) fn extract_air<T: Real>(
     let background = muted.hear(Effect::Background, only("Background", &backgrounds, &mut checks));
     let fog = muted.hear(Effect::Fog, only("Fog", &fogs, &mut checks));
     tables.revision += 1;
-    let air = &mut Arc::make_mut(&mut tables.scene).air;
+    let SceneTables { air, unit, .. } = Arc::make_mut(&mut tables.scene);
+    let unit = *unit;
     air.background = background.and_then(|(entity, background)| gradient(entity, background, &mut checks));
-    air.haze = fog.and_then(|(entity, fog)| haze(entity, fog, &mut checks));
+    air.haze = fog.and_then(|(entity, fog)| haze(entity, fog, unit, &mut checks));
     let made = air.effects();
     tables.runs.note(made);
-    tables.problems.insert("Air", checks.problems);
+    tables.mark_extracted("Air", checks.problems);
 }
 
 /// The one component of its kind, if any.
@@ -56,11 +58,16 @@ fn gradient<T: Real>(
     (!is_black).then(|| Gradient { below: Rgb::from_dvec3(below), above: Rgb::from_dvec3(above) })
 }
 
-fn haze<T: Real>(entity: Entity, Fog { density, color }: Fog, checks: &mut Checks) -> Option<Haze<T>> {
+fn haze<T: Real>(
+    entity: Entity,
+    Fog { density, color }: Fog,
+    unit: Unit,
+    checks: &mut Checks,
+) -> Option<Haze<T>> {
     checks.value(entity, "Fog.density", density, &DENSITY);
     check_color(entity, "Fog.color", color, checks);
     // Beyond the largest number, the density times a distance of 0 would be NaN.
-    let dense = |density| T::from_f64(density).at_most(T::MAX);
+    let dense = |density| T::from_f64(unit.per_length(density)).at_most(T::MAX);
     (density != 0.0).then(|| Haze { density: dense(density), color: Rgb::from_dvec3(color) })
 }
 

@@ -31,10 +31,10 @@ pub(super) fn extract_camera<T: Real>(
     check_settings(&snapshot, &sampling, &mut checks);
     tables.camera = match cameras.single() {
         Ok((entity, pose, lens, effects)) => {
-            check_camera::<T>(entity, pose, lens, &mut checks);
-            check_effects::<T>(entity, effects, &mut checks);
-            let rays = || CameraRays::new(pose, lens, snapshot.pixels).with_effects(visible(effects, *muted));
-            checks.problems.is_empty().then(rays)
+            check_camera(entity, pose, lens, &mut checks);
+            check_effects(entity, effects, &mut checks);
+            let rays = CameraRays::in_unit(pose, lens, snapshot.pixels, tables.scene.unit);
+            checks.problems.is_empty().then(|| rays.with_effects(visible(effects, *muted)))
         }
         Err(_) => {
             checks.problems.push(WorldProblem::Cameras { found: cameras.iter().len() });
@@ -59,12 +59,12 @@ fn check_settings(snapshot: &Snapshot, sampling: &Sampling, checks: &mut Checks)
     }
 }
 
-fn check_camera<T: Real>(entity: Entity, pose: &CameraPose, lens: &Lens, checks: &mut Checks) {
-    checks.point::<T>(entity, "CameraPose.position", pose.position);
+fn check_camera(entity: Entity, pose: &CameraPose, lens: &Lens, checks: &mut Checks) {
+    checks.point(entity, "CameraPose.position", pose.position);
     if !is_camera_basis([pose.l, pose.r, pose.u]) {
         checks.problems.push(WorldProblem::NoBasis { entity });
     }
-    checks.length::<T>(entity, "Lens.near", lens.near);
+    checks.value(entity, "Lens.near", lens.near, &LENGTH);
     checks.value(entity, "Lens.far", lens.far, &LENGTH);
     if lens.far <= lens.near {
         checks.problems.push(WorldProblem::Planes { entity, near: lens.near, far: lens.far });
@@ -74,13 +74,9 @@ fn check_camera<T: Real>(entity: Entity, pose: &CameraPose, lens: &Lens, checks:
     checks.value(entity, "Lens.fovy * aspect", lens.fovx(), &FIELD_OF_VIEW);
 }
 
-fn check_effects<T: Real>(
-    entity: Entity,
-    (aperture, shutter, exposure, _): Effects<'_>,
-    checks: &mut Checks,
-) {
+fn check_effects(entity: Entity, (aperture, shutter, exposure, _): Effects<'_>, checks: &mut Checks) {
     if let Some(aperture) = aperture {
-        checks.length::<T>(entity, "Aperture.focus", aperture.focus);
+        checks.value(entity, "Aperture.focus", aperture.focus, &LENGTH);
         checks.value(entity, "Aperture.radius / focus", aperture.radius / aperture.focus, &OPENING);
     }
     if let Some(&Shutter { open, close }) = shutter {

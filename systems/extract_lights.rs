@@ -7,10 +7,10 @@ use std::sync::Arc;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
-use crate::components::range::{CUTOFF, FALLOFF, LIGHT_COLOR, LIGHT_SAMPLES};
+use crate::components::range::{CUTOFF, EXTENT, FALLOFF, LIGHT_COLOR, LIGHT_SAMPLES};
 use crate::components::{AreaLight, Directional, Falloff, Light, LightColor, Order, Position, SpotCone};
 use crate::effects::{Ball, Cone, Effect, Rgb};
-use crate::geometry::{Real, Vector};
+use crate::geometry::{Real, Unit, Vector};
 use crate::trace::{LightRow, LightTable};
 
 use super::problem::{Checks, WorldProblem};
@@ -40,14 +40,17 @@ pub(super) fn extract_lights<T: Real>(
     let missing = incomplete.iter().map(|entity| WorldProblem::Incomplete { entity, kind, needs });
     checks.problems.extend(missing);
     let mut table = LightTable::default();
-    for source in &sources {
-        source.check::<T>(&mut checks);
+    let unit = tables.scene.unit;
+    for source in sources {
+        source.check(&mut checks);
+        let source = source.in_unit(unit);
+        source.check_direction::<T>(&mut checks);
         table.push(source.row());
     }
     tables.revision += 1;
     tables.runs.note(table.effects());
     Arc::make_mut(&mut tables.scene).lights = table;
-    tables.problems.insert("Light", checks.problems);
+    tables.mark_extracted("Light", checks.problems);
 }
 
 /// One light as the World has it.
@@ -111,32 +114,48 @@ impl Source {
         [p.x, p.y, p.z, falloff, x, y, z, cutoff, r, g, b, i, j, k, radius, samples.into()]
     }
 
-    fn check<T: Real>(&self, checks: &mut Checks) {
+    fn check(&self, checks: &mut Checks) {
         let entity = self.entity;
-        checks.point::<T>(entity, "Position", self.position);
+        checks.point(entity, "Position", self.position);
         if let Some(falloff) = self.falloff {
             checks.value(entity, "Falloff", falloff.0, &FALLOFF);
         }
         if let Some(cone) = self.cone {
-            checks.point::<T>(entity, "SpotCone.target", cone.target);
+            checks.point(entity, "SpotCone.target", cone.target);
             checks.value(entity, "SpotCone.cutoff", cone.cutoff, &CUTOFF);
-            if self.directional.is_none() && axis::<T>(self.position, &cone) == Vector::default() {
-                checks.problems.push(WorldProblem::NoDirection { entity, precision: T::NAME });
-            }
         }
         for channel in self.color.map_or([1.0; 3], |color| color.0.to_array()) {
             checks.value(entity, "LightColor", channel, &LIGHT_COLOR);
         }
         if let Some(Directional { direction }) = self.directional {
             let value = "Directional.direction";
-            checks.point::<T>(entity, value, direction);
+            checks.point(entity, value, direction);
             if direction == DVec3::ZERO {
                 checks.problems.push(WorldProblem::Zero { entity, value });
             }
         }
         if let Some(AreaLight { radius, samples }) = self.area {
-            checks.extent::<T>(entity, "AreaLight.radius", radius);
+            checks.value(entity, "AreaLight.radius", radius, &EXTENT);
             checks.value(entity, "AreaLight.samples", samples.into(), &LIGHT_SAMPLES);
+        }
+    }
+
+    /// Notes a cone whose direction this precision loses.
+    fn check_direction<T: Real>(&self, checks: &mut Checks) {
+        let cone = self.cone.filter(|_| self.directional.is_none());
+        if cone.is_some_and(|cone| axis::<T>(self.position, &cone) == Vector::default()) {
+            checks.problems.push(WorldProblem::NoDirection { entity: self.entity, precision: T::NAME });
+        }
+    }
+
+    /// The same in the unit of the tables.
+    fn in_unit(self, unit: Unit) -> Self {
+        Self {
+            position: unit.point(self.position),
+            falloff: self.falloff.map(|falloff| Falloff(unit.per_area(falloff.0))),
+            cone: self.cone.map(|cone| SpotCone { target: unit.point(cone.target), ..cone }),
+            area: self.area.map(|area| AreaLight { radius: unit.length(area.radius), ..area }),
+            ..self
         }
     }
 

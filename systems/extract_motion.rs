@@ -48,11 +48,11 @@ fn moving_rows<T: Real>(
     for (&kind, entities) in &tables.entities {
         for (row, &entity) in (0..).zip(entities) {
             let Ok(&Velocity(velocity)) = velocities.get(entity) else { continue };
-            checks.point::<T>(entity, "Velocity", velocity);
-            checks.point::<T>(entity, "Velocity * Shutter.open", velocity * shutter.open);
-            checks.point::<T>(entity, "Velocity * Shutter.close", velocity * shutter.close);
+            checks.point(entity, "Velocity", velocity);
+            checks.point(entity, "Velocity * Shutter.open", velocity * shutter.open);
+            checks.point(entity, "Velocity * Shutter.close", velocity * shutter.close);
             if velocity != DVec3::ZERO {
-                let velocity = Vector::from_dvec3(velocity);
+                let velocity = Vector::from_dvec3(tables.scene.unit.point(velocity));
                 moving.push(MovingRow { object: ObjectId { kind, row }, velocity });
             }
         }

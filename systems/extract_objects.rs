@@ -47,10 +47,11 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
 /// Nothing came to a changed object, and numbers of components are the same: so nothing went from any other.
 fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, muted: Muted, tables: &mut Tables<T>) -> bool {
     let Some(entities) = tables.entities.get(&S::Columns::KIND) else { return false };
-    if tables.problems.get(S::NAME).is_none_or(|problems| !problems.is_empty()) {
+    if !tables.is_sound(S::NAME) || tables.is_in_old_unit(S::NAME) {
         return false;
     }
     let scene = Arc::make_mut(&mut tables.scene);
+    let unit = scene.unit;
     let table = S::table(scene);
     if table.order.len() != entities.len() {
         return false;
@@ -62,7 +63,8 @@ fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, muted: Muted, tab
         }
         let Some(row) = row_of(&object, &table.order, entities) else { return false };
         let mut checks = Checks::default();
-        object.check::<T>(&mut checks);
+        object.check(&mut checks);
+        let object = object.in_unit(unit);
         let is_replaced = checks.problems.is_empty()
             && table.surfaces.replace(row, object.surface())
             && object.shape.replace(&mut table.shapes, row, object.position);
@@ -102,16 +104,18 @@ fn rebuild<T: Real, S: ExtractShape<T>>(
     let mut entities = Vec::with_capacity(objects.len());
     let scene = Arc::make_mut(&mut tables.scene);
     S::forget_tree(&mut scene.trees);
+    let unit = scene.unit;
     let table = S::table(scene);
     *table = ShapeTable::default();
     for row in objects.rows() {
         entities.push(row.entity);
-        row.check::<T>(&mut checks);
+        row.check(&mut checks);
+        let row = row.in_unit(unit);
         row.shape.push(&mut table.shapes, row.position, row.paint());
         table.order.push(row.order);
         table.surfaces.push(row.surface());
     }
     table.shrink_to_fit();
     tables.entities.insert(S::Columns::KIND, entities);
-    tables.problems.insert(S::NAME, checks.problems);
+    tables.mark_extracted(S::NAME, checks.problems);
 }

@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::components::range::MAX_PIXELS;
 use crate::effects::{Effect, EffectSet};
 use crate::film::Film;
-use crate::geometry::Real;
+use crate::geometry::{Real, Unit};
 use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, Refinement, SceneTables};
 
 use super::WorldProblem;
@@ -32,6 +32,8 @@ pub struct Tables<T: Real> {
     pub(super) runs: Runs,
     /// What is wrong, by the table that it keeps from being right.
     pub(super) problems: BTreeMap<&'static str, Vec<WorldProblem>>,
+    /// The unit in which each table was extracted.
+    units: BTreeMap<&'static str, Unit>,
 }
 
 impl<T: Real> Tables<T> {
@@ -68,6 +70,23 @@ impl<T: Real> Tables<T> {
     /// What the camera does beyond that of a pinhole; nothing while there is none.
     pub fn camera_effects(&self) -> CameraEffects {
         self.camera.as_ref().map(CameraRays::effects).unwrap_or_default()
+    }
+
+    /// Notes that a table has been extracted in the unit of now, and what is wrong with it.
+    pub(super) fn mark_extracted(&mut self, table: &'static str, problems: Vec<WorldProblem>) {
+        self.problems.insert(table, problems);
+        self.units.insert(table, self.scene.unit);
+    }
+
+    /// Whether there is nothing wrong with a table, or with its unit, so that its rows mean what they say.
+    pub(super) fn is_sound(&self, table: &'static str) -> bool {
+        let is_empty = |name| self.problems.get(name).map(Vec::is_empty);
+        is_empty(table) == Some(true) && is_empty("Unit") != Some(false)
+    }
+
+    /// Whether a table has been extracted in another unit than that of now.
+    pub(super) fn is_in_old_unit(&self, table: &'static str) -> bool {
+        self.units.get(table).is_some_and(|&unit| unit != self.scene.unit)
     }
 
     /// Everything that is wrong with the World, as of the last extraction.

@@ -3,10 +3,11 @@
 //! ```text
 //! Stage::Control   control_camera   the moves that were asked for, if any
 //! Stage::Survey    survey_effects   always: one step an archetype
-//! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went
+//!                  choose_unit      always, but not in double precision: one step a length
+//! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went, or the unit did
 //!                                   row by row where values changed in few of them
-//!                  extract_lights   only if lights changed, came or went
-//!                  extract_air      only if background or fog changed, came or went
+//!                  extract_lights   only if lights changed, came or went, or the unit did
+//!                  extract_air      only if background or fog changed, came or went, or the unit did
 //!                  extract_camera   always: two tangents
 //!                  extract_motion   after the others, only while something has a velocity
 //! Stage::Build     build_trees      only if a large table has no tree, or has changed
@@ -23,6 +24,7 @@
 
 mod build_trees;
 mod changes;
+mod choose_unit;
 mod control_camera;
 mod extract_air;
 mod extract_camera;
@@ -50,7 +52,8 @@ use crate::components::{CameraInput, Checkerboard, Cube, Pyramid, Sampling, Snap
 use crate::geometry::Real;
 
 use build_trees::{build_trees, trees_are_lacking};
-use changes::{air_changed, lights_changed, objects_changed};
+use changes::{air_changed, in_old_unit, lights_changed, objects_changed};
+use choose_unit::choose_unit;
 use control_camera::control_camera;
 use extract_air::extract_air;
 use extract_camera::extract_camera;
@@ -59,6 +62,7 @@ use extract_motion::{extract_motion, something_moves};
 use extract_objects::extract_objects;
 #[cfg(feature = "viewer")]
 use list_draws::{list_lights, list_objects};
+use shape_tables::Shape;
 use survey_effects::survey_effects;
 use trace::trace;
 
@@ -66,7 +70,7 @@ pub use frame::{Frame, FrameError, Tables};
 #[cfg(feature = "viewer")]
 pub use list_draws::Drawn;
 pub use muted::Muted;
-pub use problem::WorldProblem;
+pub use problem::{Measure, WorldProblem};
 pub use survey_effects::{Survey, carriers_of, take_away};
 pub use trace::{trace_pass, trace_picture};
 pub use trace_adaptive::trace_adaptive;
@@ -78,7 +82,7 @@ pub use workers::{Monitor, Workers, WorkersError};
 pub enum Stage {
     /// What was asked of the camera to its pose.
     Control,
-    /// Which effects entities ask for.
+    /// Which effects entities ask for, and in what unit their lengths are kept.
     Survey,
     /// World to tables.
     Extract,
@@ -182,14 +186,21 @@ fn add_control(schedule: &mut Schedule) {
 
 fn add_extract<T: Real>(schedule: &mut Schedule) {
     schedule.add_systems(survey_effects.in_set(Stage::Survey));
+    // In double precision every allowed length fits into the world unit.
+    if T::LENGTH_LIMIT < f64::LENGTH_LIMIT {
+        schedule.add_systems(choose_unit::<T>.in_set(Stage::Survey));
+    }
     schedule.add_systems(
         (
-            extract_objects::<T, Sphere>.run_if(objects_changed::<Sphere>),
-            extract_objects::<T, Cube>.run_if(objects_changed::<Cube>),
-            extract_objects::<T, Pyramid>.run_if(objects_changed::<Pyramid>),
-            extract_objects::<T, Checkerboard>.run_if(objects_changed::<Checkerboard>),
-            extract_lights::<T>.run_if(lights_changed),
-            extract_air::<T>.run_if(air_changed::<T>),
+            extract_objects::<T, Sphere>
+                .run_if(objects_changed::<Sphere>.or_eager(in_old_unit::<T>(Sphere::NAME))),
+            extract_objects::<T, Cube>.run_if(objects_changed::<Cube>.or_eager(in_old_unit::<T>(Cube::NAME))),
+            extract_objects::<T, Pyramid>
+                .run_if(objects_changed::<Pyramid>.or_eager(in_old_unit::<T>(Pyramid::NAME))),
+            extract_objects::<T, Checkerboard>
+                .run_if(objects_changed::<Checkerboard>.or_eager(in_old_unit::<T>(Checkerboard::NAME))),
+            extract_lights::<T>.run_if(lights_changed.or_eager(in_old_unit::<T>("Light"))),
+            extract_air::<T>.run_if(air_changed::<T>.or_eager(in_old_unit::<T>("Air"))),
             extract_camera::<T>,
         )
             .in_set(Stage::Extract),

@@ -6,13 +6,13 @@ use bevy_ecs::prelude::*;
 use bevy_ecs::query::QueryData;
 use glam::DVec3;
 
-use crate::components::range::{COEFFICIENT, COLOR, DENSITY, INDEX, SHININESS};
+use crate::components::range::{COEFFICIENT, COLOR, DENSITY, INDEX, LENGTH, SHININESS};
 use crate::components::{
     Absorption, Ambient, CheckerFilter, Color, Diffuse, Glass, Gloss, Mirror, Order, Position, TextureFilter,
     Textured,
 };
 use crate::effects::{Effect, Rgb};
-use crate::geometry::Real;
+use crate::geometry::{Real, Unit};
 use crate::trace::{GlassRow, GlossRow, SurfaceRow};
 
 use super::Muted;
@@ -209,6 +209,17 @@ impl<S: Shape> ObjectRow<S> {
         }
     }
 
+    /// The same in the unit of the tables.
+    pub(super) fn in_unit(self, unit: Unit) -> Self {
+        let per_length = |Absorption(value)| Absorption(value.map(|channel| unit.per_length(channel)));
+        Self {
+            shape: self.shape.in_unit(unit),
+            position: unit.point(self.position),
+            absorption: self.absorption.map(per_length),
+            ..self
+        }
+    }
+
     /// What is on the cells of a checkerboard, without filters that have nothing to filter.
     pub(super) fn paint(&self) -> Paint<'_> {
         let textured = self.textured.as_ref();
@@ -258,11 +269,11 @@ impl<S: Shape> ObjectRow<S> {
     }
 
     /// Notes every value that is not allowed.
-    pub(super) fn check<T: Real>(&self, checks: &mut Checks) {
+    pub(super) fn check(&self, checks: &mut Checks) {
         let entity = self.entity;
-        checks.point::<T>(entity, "Position", self.position);
+        checks.point(entity, "Position", self.position);
         for (name, length) in self.shape.lengths().into_iter().flatten() {
-            checks.length::<T>(entity, name, length);
+            checks.value(entity, name, length, &LENGTH);
         }
         for component in self.color.to_array() {
             checks.value(entity, "Color", component, &COLOR);

@@ -1,12 +1,13 @@
 //! What can be wrong with a World.
 
+use core::fmt::{self, Display, Formatter};
+
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::components::range::{COORDINATE, EXTENT, LENGTH, Range};
+use crate::components::range::{COORDINATE, Range};
 use crate::effects::{Effect, EffectSet};
-use crate::geometry::Real;
 
 /// Something in the World that cannot be traced. Nothing is traced while there is one.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -23,21 +24,19 @@ pub enum WorldProblem {
         /// What is allowed, in words.
         allowed: &'static str,
     },
-    /// A value that only `f64` can trace.
+    /// Lengths that only `f64` can trace.
     #[error(
-        "entity {entity}: {value} is {found}, beyond what {precision} can trace ({limit:e}, and 1/{limit:e} for lengths)"
+        "{least} and {greatest} are too far apart for {precision}: it traces lengths up to {ratio:e} times the least"
     )]
     Precision {
-        /// The entity.
-        entity: Entity,
-        /// Component and field.
-        value: &'static str,
-        /// The value.
-        found: f64,
+        /// The least length.
+        least: Measure,
+        /// The greatest length, coordinate or way.
+        greatest: Measure,
         /// The precision asked for.
         precision: &'static str,
-        /// Its largest length.
-        limit: f64,
+        /// The greatest by the least length that it can always trace.
+        ratio: f64,
     },
     /// An object or light that had a component taken away that it cannot be traced without.
     #[error("entity {entity}: a {kind} needs {needs}, and not all of that is there")]
@@ -135,6 +134,23 @@ pub enum WorldProblem {
     },
 }
 
+/// A length in the World.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    /// Whose it is.
+    pub entity: Entity,
+    /// Component and field.
+    pub value: &'static str,
+    /// The length, in world units; of a point the greatest coordinate, without its sign.
+    pub found: f64,
+}
+
+impl Display for Measure {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{:e} (entity {}: {})", self.found, self.entity, self.value)
+    }
+}
+
 /// What is wrong with a World that asks for effects that this program was built without.
 pub(super) fn lacking(asked: EffectSet) -> Option<WorldProblem> {
     let effects = asked.minus(EffectSet::COMPILED);
@@ -158,31 +174,10 @@ impl Checks {
         }
     }
 
-    /// A length in its range, and in that of the precision.
-    pub(super) fn length<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
-        self.value(entity, value, found, &LENGTH);
-        self.precision::<T>(entity, value, found, found > T::LENGTH_LIMIT || found < T::LENGTH_LIMIT.recip());
-    }
-
-    /// A length that may be 0.
-    pub(super) fn extent<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64) {
-        self.value(entity, value, found, &EXTENT);
-        self.precision::<T>(entity, value, found, found > T::LENGTH_LIMIT);
-    }
-
-    /// Coordinates in their range, and in that of the precision.
-    pub(super) fn point<T: Real>(&mut self, entity: Entity, value: &'static str, point: DVec3) {
+    /// Coordinates in their range.
+    pub(super) fn point(&mut self, entity: Entity, value: &'static str, point: DVec3) {
         for found in point.to_array() {
             self.value(entity, value, found, &COORDINATE);
-            self.precision::<T>(entity, value, found, found.abs() > T::LENGTH_LIMIT);
-        }
-    }
-
-    fn precision<T: Real>(&mut self, entity: Entity, value: &'static str, found: f64, beyond: bool) {
-        // What no precision allows has been reported as such.
-        if beyond && T::LENGTH_LIMIT < f64::LENGTH_LIMIT {
-            let (precision, limit) = (T::NAME, T::LENGTH_LIMIT);
-            self.problems.push(WorldProblem::Precision { entity, value, found, precision, limit });
         }
     }
 }

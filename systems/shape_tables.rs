@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::components::{Checkerboard, Cube, Pyramid, Sphere, TextureFilter, Textured};
 use crate::effects::MipChain;
-use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
+use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Unit, Vector};
 use crate::trace::{
     BoardColumns, BoardPaint, BoardTexture, CubeColumns, ImageFilter, PyramidColumns, SceneTables,
     ShapeColumns, ShapeTable, SphereColumns, Trees, refit_tree,
@@ -20,6 +20,8 @@ pub(super) trait Shape: Component + Copy {
 
     /// Its one or two lengths, with names for messages.
     fn lengths(&self) -> [Option<(&'static str, f64)>; 2];
+    /// The same shape, its lengths in another unit.
+    fn in_unit(self, unit: Unit) -> Self;
 }
 
 /// A shape component and the table that its entities go to, in one precision.
@@ -44,6 +46,10 @@ impl Shape for Sphere {
 
     fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
         [Some(("Sphere.radius", self.radius)), None]
+    }
+
+    fn in_unit(self, unit: Unit) -> Self {
+        Self { radius: unit.length(self.radius) }
     }
 }
 
@@ -82,6 +88,10 @@ impl Shape for Cube {
     fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
         [Some(("Cube.side", self.side)), None]
     }
+
+    fn in_unit(self, unit: Unit) -> Self {
+        Self { side: unit.length(self.side) }
+    }
 }
 
 impl<T: Real> ExtractShape<T> for Cube {
@@ -115,6 +125,10 @@ impl Shape for Pyramid {
     fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
         [Some(("Pyramid.width", self.width)), Some(("Pyramid.height", self.height))]
     }
+
+    fn in_unit(self, unit: Unit) -> Self {
+        Self { width: unit.length(self.width), height: unit.length(self.height) }
+    }
 }
 
 impl<T: Real> ExtractShape<T> for Pyramid {
@@ -147,6 +161,10 @@ impl Shape for Checkerboard {
 
     fn lengths(&self) -> [Option<(&'static str, f64)>; 2] {
         [Some(("Checkerboard.cell", self.cell)), None]
+    }
+
+    fn in_unit(self, unit: Unit) -> Self {
+        Self { cell: unit.length(self.cell) }
     }
 }
 

@@ -58,7 +58,7 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/geometry",
-        crates: &[("glam", All), ("libm", Only(&["basis.rs"]))],
+        crates: &[("glam", All), ("libm", Only(&["basis.rs", "unit.rs"]))],
         rooms: &[],
         may: &[(Tolerance, All)],
     },

@@ -22,6 +22,7 @@ mod ray;
 mod real;
 mod sphere;
 mod straight;
+mod unit;
 mod vector;
 
 pub use basis::{basis_looking, head_left, is_camera_basis, tilt, turn_left, turn_up};
@@ -35,4 +36,5 @@ pub use ray::{Convex, Crossing, Ray, Side, SurfacePoint};
 pub use real::{ByPrecision, Real};
 pub use sphere::SphereShape;
 pub use straight::{Meeting, Straight};
+pub use unit::Unit;
 pub use vector::Vector;

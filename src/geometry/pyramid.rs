@@ -70,14 +70,26 @@ impl<T: Real> PyramidShape<T> {
         room <= four * T::ULP * (self.height * sideways + self.half_width * upwards)
     }
 
-    /// Whether a ray runs along a side face so nearly that rounding may have changed which way it crosses the face; from
-    /// its slopes against the four.
+    /// Whether a ray runs along a side face so nearly that rounding may have changed which way it crosses the face, or on
+    /// which side of it a parallel ray runs; from its slopes against the four.
     #[inline(always)]
     pub(super) fn is_along_side(&self, ray: &Ray<T>, slopes: [T; 4]) -> bool {
         let [a, b, c, d] = slopes;
         let rise = self.half_width * ray.direction.z;
         let little = rise * rise * T::CLOSE;
-        ((a * b).abs() < little) | ((c * d).abs() < little)
+        ((a * b).abs() <= little) | ((c * d).abs() <= little)
+    }
+
+    /// Whether a level ray keeps so far away from the planes of side faces which it is parallel to that rounding cannot
+    /// have moved it to their other side: two roundings of the offset from the apex, one of each product and of the sum.
+    #[cold]
+    fn is_clear_of_parallels(&self, ray: &Ray<T>, to_apex: Vector<T>, sides: [(T, T); 4]) -> bool {
+        let four = T::TWO * T::TWO;
+        let is_clear = |((axis, _), (room, slope)): ((usize, bool), (T, T))| {
+            let size = self.height * to_apex[axis].abs() + self.half_width * to_apex.z.abs();
+            slope != T::ZERO || room.abs() > four * T::ULP * size
+        };
+        ray.direction.z == T::ZERO && SIDES.into_iter().zip(sides).all(is_clear)
     }
 
     /// [`Convex::intersect`] where rounding cannot tell: no line passes between two pyramids that touch.
@@ -130,7 +142,11 @@ impl<T: Real> Convex<T> for PyramidShape<T> {
         let to_apex = self.apex - ray.origin;
         let sides = SIDES.map(|side| self.side(ray, to_apex, side));
         let crossing = match self.clip(ray, sides) {
-            _ if self.is_along_side(ray, sides.map(|(_, slope)| slope)) => self.intersect_exactly(ray),
+            _ if self.is_along_side(ray, sides.map(|(_, slope)| slope))
+                && !self.is_clear_of_parallels(ray, to_apex, sides) =>
+            {
+                self.intersect_exactly(ray)
+            }
             Some(span) if span.is_close() => self.intersect_exactly(ray),
             span => span?.first_ahead(),
         }?;

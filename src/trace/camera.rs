@@ -2,7 +2,7 @@
 
 use crate::components::{Aperture, CameraPose, Lens};
 use crate::effects::{Effect, EffectSet, PixelCone, disk_point};
-use crate::geometry::{Ray, Real, Vector};
+use crate::geometry::{Ray, Real, Unit, Vector};
 
 use super::kernel::known;
 use super::{CameraEffects, Purpose, SampleId};
@@ -23,6 +23,7 @@ pub struct CameraRays<T> {
     pixel_width: T,
     pixels: u32,
     effects: CameraEffects,
+    unit: Unit,
 }
 
 /// A ray of the camera, of unit direction, and how far it reaches.
@@ -37,26 +38,32 @@ pub struct CameraRay<T> {
 }
 
 impl<T: Real> CameraRays<T> {
-    /// The rays of a camera for a picture of `pixels` by `pixels`. The horizontal field of view is `aspect * fovy`
-    /// as an angle, whatever the picture's own shape.
+    /// The rays of a camera for a picture of `pixels` by `pixels`, in world units. The horizontal field of view is
+    /// `aspect * fovy` as an angle, whatever the picture's own shape.
     pub fn new(pose: &CameraPose, lens: &Lens, pixels: u32) -> Self {
+        Self::in_unit(pose, lens, pixels, Unit::WORLD)
+    }
+
+    /// The same in the unit of the tables that they are for.
+    pub fn in_unit(pose: &CameraPose, lens: &Lens, pixels: u32, unit: Unit) -> Self {
         let half_extent = |degrees: f64| libm::tan(0.5 * degrees.to_radians());
         let (wide, high) = (half_extent(lens.fovx()), half_extent(lens.fovy));
         Self {
-            eye: Vector::from_dvec3(pose.position),
+            eye: Vector::from_dvec3(unit.point(pose.position)),
             look: Vector::from_dvec3(pose.l),
             right: Vector::from_dvec3(pose.r * wide),
             top: Vector::from_dvec3(pose.u * high),
             across_lens: [pose.r, pose.u].map(Vector::from_dvec3),
-            near: T::from_f64(lens.near),
-            far: T::from_f64(lens.far),
+            near: T::from_f64(unit.length(lens.near)),
+            far: T::from_f64(unit.length(lens.far)),
             pixel_width: T::from_f64(2.0 * wide.max(high) / f64::from(pixels)),
             pixels,
             effects: CameraEffects::default(),
+            unit,
         }
     }
 
-    /// The rays of the same camera with other effects.
+    /// The rays of the same camera with other effects, of lengths in world units.
     #[must_use]
     pub fn with_effects(self, effects: CameraEffects) -> Self {
         Self { effects, ..self }
@@ -107,7 +114,10 @@ impl<T: Real> CameraRays<T> {
             return self.near_plane_ray(self.eye, direction);
         };
         let on_lens = self.on_lens(&aperture, sample);
-        self.near_plane_ray(self.eye + on_lens, direction - on_lens / T::from_f64(aperture.focus))
+        self.near_plane_ray(
+            self.eye + on_lens,
+            direction - on_lens / T::from_f64(self.unit.length(aperture.focus)),
+        )
     }
 
     /// From the eye to a pixel centre at distance 1 along the look.
@@ -131,7 +141,7 @@ impl<T: Real> CameraRays<T> {
     fn on_lens(&self, aperture: &Aperture, sample: SampleId) -> Vector<T> {
         let [along_right, along_up]: [T; 2] = disk_point(sample.sequence(Purpose::Lens).point(sample.index));
         let [right, up] = self.across_lens;
-        let radius = T::from_f64(aperture.radius);
+        let radius = T::from_f64(self.unit.length(aperture.radius));
         right * (along_right * radius) + up * (along_up * radius)
     }
 

@@ -119,7 +119,8 @@ impl<T: Real> Nearest<'_, T> {
         if departed.within != NO_ROW {
             self.test(table, departed.within, ray, departed);
         }
-        let nearest = tree::Nearest { tables: self.tables, kind: C::KIND, t: self.reach, name: self.name };
+        let nearest =
+            tree::Nearest { tables: self.tables, kind: C::KIND, t: self.reach, name: self.name, face: 0 };
         let mut walk = Walk::new(TreeRay::new(*ray, tree.rounding()), departed.row(), nearest);
         tree.search::<true, _>(&mut walk, stack.get_or_insert_with(Stack::new));
         if walk.search.name != self.name {

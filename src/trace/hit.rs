@@ -1,6 +1,6 @@
 //! What a ray met, and how the next one leaves it.
 
-use crate::geometry::{Crossing, Side};
+use crate::geometry::{Crossing, Meeting, Real, Side};
 
 /// The kind of an object; each has a table of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -122,5 +122,23 @@ impl DepartedRow {
     /// The row, whichever way it was left; a number that no table has if there is none.
     pub(super) fn row(self) -> u32 {
         self.skipped.min(self.within)
+    }
+}
+
+/// A face and the side that a ray comes from, in one number.
+pub(super) struct FaceCode;
+
+impl FaceCode {
+    /// Above every face.
+    const INSIDE: u32 = 8;
+
+    #[inline(always)]
+    pub(super) fn of<T: Real>(meeting: &Meeting<T>) -> u32 {
+        meeting.face | if meeting.inside { Self::INSIDE } else { 0 }
+    }
+
+    #[inline(always)]
+    pub(super) fn meeting<T: Real>(code: u32, t: T) -> Meeting<T> {
+        Meeting { t, face: code & (Self::INSIDE - 1), inside: code & Self::INSIDE != 0, unsure: false }
     }
 }

@@ -11,7 +11,7 @@ use super::{Kind, ObjectId, SceneTables, refit_tree};
 pub struct MovingRow<T> {
     /// Which one.
     pub object: ObjectId,
-    /// Its way in a second, in world units.
+    /// Its way in a second, in the unit of the tables.
     pub velocity: Vector<T>,
 }
 

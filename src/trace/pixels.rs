@@ -3,7 +3,7 @@
 use crate::geometry::Vector;
 
 use super::Trail;
-use super::packet::{LANES, VectorLanes};
+use super::packet::{BLOCK_SIDE, LANES, VectorLanes};
 
 /// Columns and rows in the film of pixels that are traced together.
 #[derive(Clone, Copy, Debug)]
@@ -20,9 +20,23 @@ impl PixelLanes {
     /// A rectangle of at most as many pixels as there are lanes, row by row.
     #[inline(always)]
     pub(super) fn rectangle((left, top): (u32, u32), (width, height): (u32, u32)) -> Self {
+        // Nearly all are as wide as a block.
+        if width == BLOCK_SIDE {
+            return Self::rows_of::<BLOCK_SIDE>(left, top, height);
+        }
         let mut pixels = Self::NONE;
         for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
             pixels.push(left + column, top + row);
+        }
+        pixels
+    }
+
+    #[inline(always)]
+    fn rows_of<const WIDTH: u32>(left: u32, top: u32, height: u32) -> Self {
+        let mut pixels = Self { count: (WIDTH * height) as usize, ..Self::NONE };
+        for ((column, row), lane) in pixels.columns.iter_mut().zip(&mut pixels.rows).zip(0..) {
+            *column = left + lane % WIDTH;
+            *row = top + lane / WIDTH;
         }
         pixels
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::effects::EffectSet;
-use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape};
+use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Unit};
 
 use super::tree::{Fork, SMALLEST_TREE, Tree};
 
@@ -15,6 +15,8 @@ use super::{
 /// All tables of one frame.
 #[derive(Clone, Debug, Default)]
 pub struct SceneTables<T: Real> {
+    /// What all lengths of these tables, of their rays and of their hits are in.
+    pub unit: Unit,
     /// Spheres.
     pub spheres: ShapeTable<T, SphereColumns<T>>,
     /// Cubes.

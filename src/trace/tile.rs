@@ -208,16 +208,16 @@ impl PixelQueue for Strip<'_, '_> {
 
     #[inline]
     fn put(&mut self, samples: &SampleLanes) {
-        let columns = self.given..self.next;
-        for (lane, (row, column)) in
-            (0..self.rows()).flat_map(|row| columns.clone().map(move |column| (row, column))).enumerate()
-        {
-            let pixel = self.band.pixel_mut(self.row + row, column);
-            let sample = samples.get(lane);
-            if self.pass == 0 {
-                *pixel = sample;
-            } else {
-                add(pixel, sample);
+        let mut lane = 0;
+        for row in 0..self.rows() {
+            for pixel in self.band.pixels_mut(self.row + row, self.given..self.next) {
+                let sample = samples.get(lane);
+                if self.pass == 0 {
+                    *pixel = sample;
+                } else {
+                    add(pixel, sample);
+                }
+                lane += 1;
             }
         }
     }

@@ -16,7 +16,7 @@ pub(super) fn entity_at<T: Real>(
     side: u32,
     (column, row): (u32, u32),
 ) -> Option<Entity> {
-    let start = CameraRays::<T>::new(pose, lens, side).ray(column, row);
+    let start = CameraRays::<T>::in_unit(pose, lens, side, tables.scene.unit).ray(column, row);
     let hit = closest_hit(&tables.scene, &start.ray, &Departure::Free, start.reach)?;
     tables.entity(hit.object)
 }

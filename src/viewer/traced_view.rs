@@ -90,10 +90,10 @@ impl TracedView {
     pub(super) fn count_rays(&self, grid: SampleGrid, pixels: u32, workers: &Workers) -> Vec<u32> {
         match &self.tables {
             SharedTables::F64(tables) => {
-                count_rays(&self.exposure(tables, &self.rays(pixels), grid, workers), workers)
+                count_rays(&self.exposure(tables, &self.rays(tables, pixels), grid, workers), workers)
             }
             SharedTables::F32(tables) => {
-                count_rays(&self.exposure(tables, &self.rays(pixels), grid, workers), workers)
+                count_rays(&self.exposure(tables, &self.rays(tables, pixels), grid, workers), workers)
             }
         }
     }
@@ -106,7 +106,7 @@ impl TracedView {
         workers: &Workers,
         monitor: &Monitor,
     ) -> Counts {
-        let rays = self.rays(film.side());
+        let rays = self.rays(tables, film.side());
         trace_pass(&self.exposure(tables, &rays, grid, workers), pass, film, workers, monitor)
     }
 
@@ -118,7 +118,7 @@ impl TracedView {
         workers: &Workers,
         monitor: &Monitor,
     ) -> (Counts, Option<Refinement>) {
-        let rays = self.rays(film.side());
+        let rays = self.rays(tables, film.side());
         let exposure = self.exposure(tables, &rays, samples.grid, workers);
         match samples.threshold {
             None => (trace_picture(&exposure, film, workers, monitor), None),
@@ -129,8 +129,9 @@ impl TracedView {
         }
     }
 
-    fn rays<T: Real>(&self, pixels: u32) -> CameraRays<T> {
-        CameraRays::new(&traced_pose(&self.pose), &self.lens, pixels).with_effects(self.effects)
+    fn rays<T: Real>(&self, tables: &SceneTables<T>, pixels: u32) -> CameraRays<T> {
+        let pose = traced_pose(&self.pose);
+        CameraRays::in_unit(&pose, &self.lens, pixels, tables.unit).with_effects(self.effects)
     }
 
     fn exposure<'a, T: Real>(

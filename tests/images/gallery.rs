@@ -12,12 +12,12 @@ use crate::support::picture::Picture;
 use crate::support::tracing::{trace, workers};
 
 #[path = "../../scenes/gallery/exhibits.rs"]
-mod exhibits;
+pub(crate) mod exhibits;
 
 use exhibits::{EXHIBITS, Exhibit};
 
 /// An exhibit, for a small picture.
-fn small(exhibit: &Exhibit) -> World {
+pub(crate) fn small(exhibit: &Exhibit) -> World {
     let mut world: World = exhibit.world();
     world.resource_mut::<Snapshot>().pixels = 40;
     world.insert_resource(Sampling { side: 1 });

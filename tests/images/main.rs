@@ -20,6 +20,7 @@ mod metamorphic;
 mod naive;
 mod paths;
 mod samples;
+mod scales;
 mod streams;
 #[path = "../support/mod.rs"]
 mod support;

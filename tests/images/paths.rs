@@ -46,7 +46,8 @@ pub(crate) fn check<T: Real>(name: &str, case: &Case) {
     check_world::<T>(name, case.world());
 }
 
-pub(crate) fn check_world<T: Real>(name: &str, world: World) {
+/// Checks that every path gives the same picture, and returns it.
+pub(crate) fn check_world<T: Real>(name: &str, world: World) -> Vec<[f64; 3]> {
     let world = extracted::<T>(world);
     let tables = world.resource::<Tables<T>>();
     let camera = tables.camera.as_ref().unwrap();
@@ -65,6 +66,7 @@ pub(crate) fn check_world<T: Real>(name: &str, world: World) {
             assert_eq!(counts, rays, "{path}");
         }
     }
+    truth
 }
 
 /// All vector instructions with all kernels; the last one uses none.

@@ -1,6 +1,12 @@
 //! Changes of a whole scene, camera included, that a picture must not show.
 
+use archetrace::components::{
+    Absorption, Aperture, AreaLight, CameraPose, Checkerboard, Cube, Falloff, Fog, Lens, Position, Pyramid,
+    Sphere, SpotCone, Velocity,
+};
 use archetrace::scene::{ObjectDescription, ShapeDescription};
+use bevy_ecs::component::Mutable;
+use bevy_ecs::prelude::*;
 use glam::DVec3;
 
 use crate::support::case::Case;
@@ -29,6 +35,39 @@ pub(crate) fn scaled(case: &Case, factor: f64) -> Case {
     }
     for_points(&mut case, |point| *point *= factor);
     case
+}
+
+/// Everything in a World larger by a factor; what is so much per length is less by it.
+pub(crate) fn scale_world(world: &mut World, factor: f64) {
+    each::<Position>(world, |position| position.0 *= factor);
+    each::<Sphere>(world, |sphere| sphere.radius *= factor);
+    each::<Cube>(world, |cube| cube.side *= factor);
+    each::<Pyramid>(world, |pyramid| {
+        pyramid.width *= factor;
+        pyramid.height *= factor;
+    });
+    each::<Checkerboard>(world, |board| board.cell *= factor);
+    each::<Velocity>(world, |velocity| velocity.0 *= factor);
+    each::<Absorption>(world, |absorption| absorption.0 /= factor);
+    each::<Fog>(world, |fog| fog.density /= factor);
+    each::<Falloff>(world, |falloff| falloff.0 /= factor * factor);
+    each::<SpotCone>(world, |cone| cone.target *= factor);
+    each::<AreaLight>(world, |area| area.radius *= factor);
+    each::<CameraPose>(world, |pose| pose.position *= factor);
+    each::<Lens>(world, |lens| {
+        lens.near *= factor;
+        lens.far *= factor;
+    });
+    each::<Aperture>(world, |aperture| {
+        aperture.radius *= factor;
+        aperture.focus *= factor;
+    });
+}
+
+fn each<C: Component<Mutability = Mutable>>(world: &mut World, change: impl Fn(&mut C)) {
+    for mut component in world.query::<&mut C>().iter_mut(world) {
+        change(&mut component);
+    }
 }
 
 /// Everything moved.

@@ -31,6 +31,7 @@ mod oracle_itself;
 mod plane;
 mod precision;
 mod pyramid;
+mod pyramid_edges;
 mod selfcheck;
 mod sphere;
 mod spot;

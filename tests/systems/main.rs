@@ -20,3 +20,4 @@ mod problems;
 #[path = "../support/mod.rs"]
 mod support;
 mod toy_effect;
+mod units;

@@ -322,21 +322,30 @@ fn the_grid_of_samples_has_its_range() {
 
 #[test]
 fn single_precision_says_what_it_cannot_hold() {
+    let between = |least: &str, greatest: &str| {
+        format!(
+            "{least} and {greatest} are too far apart for f32: it traces lengths up to 5e17 times the least"
+        )
+    };
+    // The camera's near plane and its place are the other lengths that count.
+    let mut world = small_case().world();
+    let camera = world.query_filtered::<Entity, With<Lens>>().single(&world).unwrap();
+    let near = format!("2e0 (entity {camera}: Lens.near)");
+    let place = format!("1.4177e2 (entity {camera}: CameraPose.position)");
     assert_bundle_refused::<f32, _>(
-        || (Sphere { radius: 1.0 }, Position::new(0.0, -2e9, 0.0)),
-        "entity {entity}: Position is -2000000000, beyond what f32 can trace (1e9, and 1/1e9 for lengths)",
+        || (Sphere { radius: 3.0 }, Position::new(0.0, -3e18, 0.0)),
+        &between(&near, "3e18 (entity {entity}: Position)"),
     );
     assert_bundle_refused::<f32, _>(
-        || Cube { side: 2e9 },
-        "entity {entity}: Cube.side is 2000000000, beyond what f32 can trace (1e9, and 1/1e9 for lengths)",
+        || Cube { side: 3e18 },
+        &between(&near, "3e18 (entity {entity}: Cube.side)"),
     );
     assert_bundle_refused::<f32, _>(
-        || Sphere { radius: 1e-10 },
-        "entity {entity}: Sphere.radius is 0.0000000001, beyond what f32 can trace (1e9, and 1/1e9 for lengths)",
+        || Sphere { radius: 1e-16 },
+        &between("1e-16 (entity {entity}: Sphere.radius)", &place),
     );
     // The same in double precision is no problem.
-    let mut world = small_case().world();
-    world.spawn((Sphere { radius: 1e-10 }, Position::new(0.0, -2e9, 0.0)));
+    world.spawn((Sphere { radius: 1e-16 }, Position::new(0.0, -2e20, 0.0)));
     trace::<f64>(&mut world);
 }
 

@@ -1,13 +1,16 @@
 //! Packets that go down a tree as one.
 
-use crate::geometry::{Real, Straight};
-use crate::trace::tree::{AxisBeam, Beam, Packed, Tree};
+use crate::geometry::{Bounded, Real, Straight};
+use crate::trace::tree::{AxisBeam, Beam, BeamSearch, Packed, Tree};
+use crate::trace::{Kind, ObjectId, SceneTables};
 
 use super::bundle::Bundle;
-use super::lanes::{LANES, Lanes, RayLanes, Reach, mask, range};
+use super::closest::{HitLanes, test as test_closest};
+use super::lanes::{LANES, Lanes, RayLanes, Reach, greatest, mask, range};
+use super::occlusion::test as test_occlusion;
 
 /// A packet is as wide as so many leaves at most. Wider ones were measured to be slower than their rays one by one.
-const LEAVES: u32 = 1;
+const LEAVES: u32 = 2;
 
 /// The active rays of a packet as a tree sees them; `None` where they have too little in common to go together.
 #[inline(always)]
@@ -22,33 +25,40 @@ pub(super) fn beam_of<T: Real, S: Packed<T>>(
     }
     let active = mask(|lane| reach[lane] >= T::ZERO);
     let any = active.trailing_zeros() as usize % LANES;
-    let of_active = |values: &Lanes<T>| {
-        let mut chosen = *values;
-        for lane in 0..LANES {
-            chosen[lane] = if reach[lane] >= T::ZERO { values[lane] } else { values[any] };
-        }
-        range(&chosen)
-    };
     let (point, direction) = (&rays.start.point, rays.direction);
-    let origins = [of_active(&point.x), of_active(&point.y), of_active(&point.z)];
+    let origins = [
+        range_of_active(&point.x, reach, any),
+        range_of_active(&point.y, reach, any),
+        range_of_active(&point.z, reach, any),
+    ];
     let farthest = |[low, high]: [T; 2]| low.abs().at_least(high.abs());
     let pad = tree.rounding() * ((farthest(origins[0]) + farthest(origins[1])) + farthest(origins[2]));
     Some(Beam([
-        AxisBeam::new(0, origins[0], of_active(&direction.x), pad)?,
-        AxisBeam::new(1, origins[1], of_active(&direction.y), pad)?,
-        AxisBeam::new(2, origins[2], of_active(&direction.z), pad)?,
+        AxisBeam::new(0, origins[0], range_of_active(&direction.x, reach, any), pad)?,
+        AxisBeam::new(1, origins[1], range_of_active(&direction.y, reach, any), pad)?,
+        AxisBeam::new(2, origins[2], range_of_active(&direction.z, reach, any), pad)?,
     ]))
 }
 
+/// The least and the greatest value of the active lanes, of which `any` is one.
+#[inline(always)]
+fn range_of_active<T: Real>(values: &Lanes<T>, reach: &Reach<T>, any: usize) -> [T; 2] {
+    let mut chosen = *values;
+    for lane in 0..LANES {
+        chosen[lane] = if reach[lane] >= T::ZERO { values[lane] } else { values[any] };
+    }
+    range(&chosen)
+}
+
 /// Inverse lengths of directions, and their squares.
-pub(super) struct Inverses<T> {
+struct Inverses<T> {
     length: Lanes<T>,
     square: Lanes<T>,
 }
 
 impl<T: Real> Inverses<T> {
     #[inline(always)]
-    pub(super) fn of(rays: &RayLanes<'_, T>) -> Self {
+    fn of(rays: &RayLanes<'_, T>) -> Self {
         let (mut length, mut square) = ([T::ZERO; LANES], [T::ZERO; LANES]);
         for lane in 0..LANES {
             let direction = rays.direction.get(lane);
@@ -61,16 +71,80 @@ impl<T: Real> Inverses<T> {
 
     /// Whether any ray may meet a shape within its reach.
     #[inline(always)]
-    pub(super) fn may_meet(
-        &self,
-        shape: &impl Straight<T>,
-        rays: &RayLanes<'_, T>,
-        reach: &Reach<T>,
-    ) -> bool {
+    fn may_meet(&self, shape: &impl Straight<T>, rays: &RayLanes<'_, T>, reach: &Reach<T>) -> bool {
         let mut any = false;
         for lane in 0..LANES {
             any |= shape.may_meet_before(&rays.get(lane), self.length[lane], self.square[lane], reach[lane]);
         }
         any
+    }
+}
+
+/// The rays of a beam.
+pub(super) struct BeamRays<'a, T> {
+    rays: &'a RayLanes<'a, T>,
+    bundle: &'a Bundle<T>,
+    inverses: Inverses<T>,
+    kind: Kind,
+}
+
+impl<'a, T: Real> BeamRays<'a, T> {
+    /// That look for objects of one kind.
+    #[inline(always)]
+    pub(super) fn new(rays: &'a RayLanes<'a, T>, bundle: &'a Bundle<T>, kind: Kind) -> Self {
+        Self { rays, bundle, inverses: Inverses::of(rays), kind }
+    }
+}
+
+/// The nearest surface along each ray of a beam.
+pub(super) struct NearestOfBeam<'a, T: Real> {
+    pub(super) tables: &'a SceneTables<T>,
+    pub(super) rays: BeamRays<'a, T>,
+    pub(super) hits: &'a mut HitLanes<T>,
+}
+
+impl<T: Real, S: Straight<T> + Bounded<T>> BeamSearch<T, S> for NearestOfBeam<'_, T> {
+    #[inline(always)]
+    fn reach(&self) -> T {
+        greatest(&self.hits.t)
+    }
+
+    #[inline(always)]
+    fn may_meet(&self, shape: &S) -> bool {
+        self.rays.bundle.may_meet(shape)
+    }
+
+    #[inline(always)]
+    fn meet(&mut self, shape: &S, row: u32) {
+        let BeamRays { rays, inverses, kind, .. } = &self.rays;
+        if inverses.may_meet(shape, rays, &self.hits.t) {
+            test_closest(self.tables, shape, ObjectId::packed(*kind, row), rays, self.hits);
+        }
+    }
+}
+
+/// Whether anything is before the reach of each ray of a beam: those that meet something become idle.
+pub(super) struct AnyOfBeam<'a, T: Real> {
+    pub(super) rays: BeamRays<'a, T>,
+    pub(super) reach: &'a mut Reach<T>,
+}
+
+impl<T: Real, S: Straight<T> + Bounded<T>> BeamSearch<T, S> for AnyOfBeam<'_, T> {
+    #[inline(always)]
+    fn reach(&self) -> T {
+        greatest(self.reach)
+    }
+
+    #[inline(always)]
+    fn may_meet(&self, shape: &S) -> bool {
+        self.rays.bundle.may_meet(shape)
+    }
+
+    #[inline(always)]
+    fn meet(&mut self, shape: &S, row: u32) {
+        let BeamRays { rays, inverses, kind, .. } = &self.rays;
+        if inverses.may_meet(shape, rays, self.reach) {
+            test_occlusion(shape, ObjectId::packed(*kind, row), rays, self.reach);
+        }
     }
 }

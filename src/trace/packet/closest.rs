@@ -2,7 +2,10 @@
 
 use crate::geometry::{Convex, Crossing, Meeting, Ray, Real, Straight};
 use crate::trace::closest::comes_first;
-use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
+use crate::trace::hit::FaceCode;
+use crate::trace::{
+    CubeColumns, Kind, ObjectId, PyramidColumns, SceneTables, ShapeColumns, ShapeTable, SphereColumns,
+};
 
 use super::bounds::{Candidates, Rows};
 use super::bundle::Bundle;
@@ -18,24 +21,6 @@ pub(super) struct HitLanes<T> {
     pub(super) name: Lanes<u32>,
     /// Which face, see [`FaceCode`].
     pub(super) face: Lanes<u32>,
-}
-
-/// A face and the side that a ray comes from, in one number.
-pub(super) struct FaceCode;
-
-impl FaceCode {
-    /// Above every face.
-    const INSIDE: u32 = 8;
-
-    #[inline(always)]
-    pub(super) fn of<T: Real>(meeting: &Meeting<T>) -> u32 {
-        meeting.face | if meeting.inside { Self::INSIDE } else { 0 }
-    }
-
-    #[inline(always)]
-    pub(super) fn meeting<T: Real>(code: u32, t: T) -> Meeting<T> {
-        Meeting { t, face: code & (Self::INSIDE - 1), inside: code & Self::INSIDE != 0, unsure: false }
-    }
 }
 
 impl<T: Real> HitLanes<T> {
@@ -67,9 +52,9 @@ pub(super) fn closest<T: Real>(
     search(tables, &tables.pyramids, candidates.of(Kind::Pyramid), rays, &mut hits);
     search(tables, &tables.boards, candidates.of(Kind::Board), rays, &mut hits);
     let trees = &tables.trees;
-    search_tree(tables, &tables.spheres, trees.spheres.as_deref(), rays, bundle, &mut hits, scratch);
-    search_tree(tables, &tables.cubes, trees.cubes.as_deref(), rays, bundle, &mut hits, scratch);
-    search_tree(tables, &tables.pyramids, trees.pyramids.as_deref(), rays, bundle, &mut hits, scratch);
+    search_tree::<T, SphereColumns<T>>(tables, trees.spheres.as_deref(), rays, bundle, &mut hits, scratch);
+    search_tree::<T, CubeColumns<T>>(tables, trees.cubes.as_deref(), rays, bundle, &mut hits, scratch);
+    search_tree::<T, PyramidColumns<T>>(tables, trees.pyramids.as_deref(), rays, bundle, &mut hits, scratch);
     if rays.start.any_inward {
         leave(tables, rays, &mut hits);
     }

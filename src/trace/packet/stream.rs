@@ -1,12 +1,13 @@
 //! Rays from anywhere, sixteen at a time.
 
 use crate::geometry::{Real, Vector};
+use crate::trace::hit::FaceCode;
 use crate::trace::stream::Query;
 use crate::trace::{Departure, Hit, ObjectId, SceneTables};
 
 use super::bounds::Bounds;
 use super::bundle::{Bundle, Cluster};
-use super::closest::{FaceCode, closest};
+use super::closest::closest;
 use super::lanes::{LANES, OUTWARD, RayLanes, Reach, StartLanes, VectorLanes, nowhere};
 use super::occlusion::occlude;
 use super::trees::Scratch;

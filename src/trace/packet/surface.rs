@@ -2,12 +2,13 @@
 
 use crate::effects::{Effect, cell_point};
 use crate::geometry::{Real, Straight, Vector};
+use crate::trace::hit::FaceCode;
 use crate::trace::shade::own_color;
 use crate::trace::{
     BoardColumns, Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable, SurfaceRow, SurfaceTable,
 };
 
-use super::closest::{FaceCode, HitLanes};
+use super::closest::HitLanes;
 use super::has;
 use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, StartLanes, VectorLanes, any, least};
 

@@ -1,14 +1,13 @@
 //! Packets and trees: all rays as one where they go much the same way, otherwise each by itself.
 
 use crate::geometry::{Real, Straight as _};
-use crate::trace::tree::{Any, Beam, NO_ROW, Nearest, Packed, Stack, Tree, TreeRay, Walk};
+use crate::trace::tree::{Any, Beam, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
-use super::beam::{Inverses, beam_of};
+use super::beam::{AnyOfBeam, BeamRays, NearestOfBeam, beam_of};
 use super::bundle::Bundle;
-use super::closest::{FaceCode, HitLanes, test as test_closest};
-use super::lanes::{LANES, RayLanes, Reach, greatest, mask, nowhere};
-use super::occlusion::test as test_occlusion;
+use super::closest::HitLanes;
+use super::lanes::{LANES, Lanes, RayLanes, Reach, VectorLanes, mask, nowhere};
 
 /// Rays that take turns in a tree.
 const GROUP: usize = 8;
@@ -29,6 +28,42 @@ impl<T: Real> Scratch<T> {
     }
 }
 
+/// [`RayNumbers`] of every lane.
+struct NumberLanes<T> {
+    inverse: VectorLanes<T>,
+    pad: Lanes<T>,
+    inverse_length: Lanes<T>,
+    inverse_square: Lanes<T>,
+}
+
+impl<T: Real> NumberLanes<T> {
+    #[inline(always)]
+    fn of(rays: &RayLanes<'_, T>, rounding: T) -> Self {
+        let zero = [T::ZERO; LANES];
+        let mut all =
+            Self { inverse: VectorLanes::zero(), pad: zero, inverse_length: zero, inverse_square: zero };
+        for lane in 0..LANES {
+            let RayNumbers { inverse, pad, inverse_length, inverse_square } =
+                RayNumbers::new(&rays.get(lane), rounding);
+            all.inverse.set(lane, inverse);
+            all.pad[lane] = pad;
+            all.inverse_length[lane] = inverse_length;
+            all.inverse_square[lane] = inverse_square;
+        }
+        all
+    }
+
+    #[inline(always)]
+    fn get(&self, lane: usize) -> RayNumbers<T> {
+        RayNumbers {
+            inverse: self.inverse.get(lane),
+            pad: self.pad[lane],
+            inverse_length: self.inverse_length[lane],
+            inverse_square: self.inverse_square[lane],
+        }
+    }
+}
+
 /// A bit for each ray of a group.
 const ALL: u32 = (1 << GROUP) - 1;
 
@@ -36,7 +71,6 @@ const ALL: u32 = (1 << GROUP) - 1;
 #[inline(always)]
 pub(super) fn search_tree<T: Real, C>(
     tables: &SceneTables<T>,
-    table: &ShapeTable<T, C>,
     tree: Option<&Tree<T, C::Shape>>,
     rays: &RayLanes<'_, T>,
     bundle: &Bundle<T>,
@@ -46,7 +80,7 @@ pub(super) fn search_tree<T: Real, C>(
     C: ShapeColumns<T, Shape: Packed<T>>,
 {
     let Some(tree) = tree else { return };
-    let search = ClosestSearch { tables, table, tree, rays };
+    let search: ClosestSearch<'_, T, C> = ClosestSearch { tables, tree, rays };
     if let Some(beam) = beam_of(tree, rays, bundle, &hits.t) {
         search.together(&beam, bundle, hits, &mut scratch.stacks[0]);
     } else if tree.is_large() {
@@ -58,7 +92,6 @@ pub(super) fn search_tree<T: Real, C>(
 
 struct ClosestSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
     tables: &'a SceneTables<T>,
-    table: &'a ShapeTable<T, C>,
     tree: &'a Tree<T, C::Shape>,
     rays: &'a RayLanes<'a, T>,
 }
@@ -66,28 +99,17 @@ struct ClosestSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
 impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> {
     #[inline(always)]
     fn together(&self, beam: &Beam<T>, bundle: &Bundle<T>, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
-        let inverses = Inverses::of(self.rays);
-        let reach = greatest(&hits.t);
-        self.tree.search_beam::<true>(
-            beam,
-            reach,
-            stack,
-            |shape| bundle.may_meet(shape),
-            |shape, row| {
-                if inverses.may_meet(shape, self.rays, &hits.t) {
-                    test_closest(self.tables, shape, ObjectId::packed(C::KIND, row), self.rays, hits);
-                }
-                greatest(&hits.t)
-            },
-        );
+        let rays = BeamRays::new(self.rays, bundle, C::KIND);
+        self.tree.search_beam::<true>(beam, stack, &mut NearestOfBeam { tables: self.tables, rays, hits });
     }
 
     #[inline(always)]
     fn one_by_one(&self, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
+        let numbers = NumberLanes::of(self.rays, self.tree.rounding());
         for lane in 0..LANES {
             // An idle lane's reach is below 0, and so is its t.
             if hits.t[lane] >= T::ZERO {
-                let mut walk = self.walk(lane, hits);
+                let mut walk = self.walk(lane, &numbers, hits);
                 self.tree.search::<true, _>(&mut walk, stack);
                 self.settle(lane, &walk.search, hits);
             }
@@ -96,9 +118,11 @@ impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> 
 
     #[inline(always)]
     fn in_turns(&self, hits: &mut HitLanes<T>, stacks: &mut [Stack<T>; GROUP]) {
+        let numbers = NumberLanes::of(self.rays, self.tree.rounding());
         let active = mask(|lane| hits.t[lane] >= T::ZERO);
         for first in (0..LANES).step_by(GROUP) {
-            let mut walks: [_; GROUP] = core::array::from_fn(|number| self.walk(first + number, hits));
+            let mut walks: [_; GROUP] =
+                core::array::from_fn(|number| self.walk(first + number, &numbers, hits));
             self.tree.search_in_turns::<true, _>(&mut walks, active >> first & ALL, stacks);
             for (lane, walk) in (first..).zip(&walks) {
                 self.settle(lane, &walk.search, hits);
@@ -107,22 +131,19 @@ impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> 
     }
 
     #[inline(always)]
-    fn walk(&self, lane: usize, hits: &HitLanes<T>) -> Walk<T, Nearest<'a, T>> {
-        let (t, name) = (hits.t[lane], hits.name[lane]);
-        let search = Nearest { tables: self.tables, kind: C::KIND, t, name };
-        let ray = TreeRay::new(self.rays.get(lane), self.tree.rounding());
+    fn walk(&self, lane: usize, numbers: &NumberLanes<T>, hits: &HitLanes<T>) -> Walk<T, Nearest<'a, T>> {
+        let (t, name, face) = (hits.t[lane], hits.name[lane], hits.face[lane]);
+        let search = Nearest { tables: self.tables, kind: C::KIND, t, name, face };
+        let ray = TreeRay::of(self.rays.get(lane), &numbers.get(lane));
         Walk::new(ray, departed_row(self.rays, lane, C::KIND), search)
     }
 
     /// Takes over what was found.
     #[inline(always)]
     fn settle(&self, lane: usize, search: &Nearest<'_, T>, hits: &mut HitLanes<T>) {
-        if search.name != hits.name[lane] {
-            let shape = self.table.shapes.shape(ObjectId::unpacked(search.name).row as usize);
-            hits.t[lane] = search.t;
-            hits.name[lane] = search.name;
-            hits.face[lane] = FaceCode::of(&shape.meet_surely(&self.rays.get(lane)));
-        }
+        hits.t[lane] = search.t;
+        hits.name[lane] = search.name;
+        hits.face[lane] = search.face;
     }
 }
 
@@ -160,30 +181,19 @@ struct ShadowSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
 impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
     #[inline(always)]
     fn together(&self, beam: &Beam<T>, bundle: &Bundle<T>, reach: &mut Reach<T>, stack: &mut Stack<T>) {
-        let inverses = Inverses::of(self.segments);
-        let farthest = greatest(reach);
-        self.tree.search_beam::<false>(
-            beam,
-            farthest,
-            stack,
-            |shape| bundle.may_meet(shape),
-            |shape, row| {
-                if inverses.may_meet(shape, self.segments, reach) {
-                    test_occlusion(shape, ObjectId::packed(C::KIND, row), self.segments, reach);
-                }
-                greatest(reach)
-            },
-        );
+        let rays = BeamRays::new(self.segments, bundle, C::KIND);
+        self.tree.search_beam::<false>(beam, stack, &mut AnyOfBeam { rays, reach });
     }
 
     #[inline(always)]
     fn one_by_one(&self, reach: &mut Reach<T>, last: &mut u32, stack: &mut Stack<T>) {
+        let numbers = NumberLanes::of(self.segments, self.tree.rounding());
         for lane in 0..LANES {
             if reach[lane] > T::ZERO && self.hides(*last, lane, reach) {
                 reach[lane] = nowhere();
             }
             if reach[lane] > T::ZERO {
-                let mut walk = self.walk(lane, reach);
+                let mut walk = self.walk(lane, &numbers, reach);
                 self.tree.search::<false, _>(&mut walk, stack);
                 self.settle(lane, &walk.search, reach, last);
             }
@@ -192,13 +202,15 @@ impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
 
     #[inline(always)]
     fn in_turns(&self, reach: &mut Reach<T>, last: &mut u32, stacks: &mut [Stack<T>; GROUP]) {
+        let numbers = NumberLanes::of(self.segments, self.tree.rounding());
         for first in (0..LANES).step_by(GROUP) {
             for lane in first..first + GROUP {
                 if reach[lane] > T::ZERO && self.hides(*last, lane, reach) {
                     reach[lane] = nowhere();
                 }
             }
-            let mut walks: [_; GROUP] = core::array::from_fn(|number| self.walk(first + number, reach));
+            let mut walks: [_; GROUP] =
+                core::array::from_fn(|number| self.walk(first + number, &numbers, reach));
             let active = mask(|lane| reach[lane] > T::ZERO) >> first & ALL;
             self.tree.search_in_turns::<false, _>(&mut walks, active, stacks);
             for (lane, walk) in (first..).zip(&walks) {
@@ -208,8 +220,8 @@ impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
     }
 
     #[inline(always)]
-    fn walk(&self, lane: usize, reach: &Reach<T>) -> Walk<T, Any<T>> {
-        let ray = TreeRay::new(self.segments.get(lane), self.tree.rounding());
+    fn walk(&self, lane: usize, numbers: &NumberLanes<T>, reach: &Reach<T>) -> Walk<T, Any<T>> {
+        let ray = TreeRay::of(self.segments.get(lane), &numbers.get(lane));
         let any = Any { row: NO_ROW, reach: reach[lane] };
         Walk::new(ray, departed_row(self.segments, lane, C::KIND), any)
     }

@@ -25,10 +25,10 @@ pub(super) use beam::{AxisBeam, Beam};
 pub use build::{Fork, Sequential};
 pub use fit::refit_tree;
 pub use pack::Packed;
-pub(super) use ray::TreeRay;
+pub(super) use ray::{RayNumbers, TreeRay};
 pub(super) use searches::{Any, NO_ROW, Nearest};
 pub(super) use stack::Stack;
-pub(super) use traverse::{TreeSearch, Walk};
+pub(super) use traverse::{BeamSearch, TreeSearch, Walk};
 
 /// Children of a node, and rows of a leaf.
 pub(super) const WIDTH: usize = 8;

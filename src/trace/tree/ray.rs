@@ -30,10 +30,12 @@ pub(super) struct Eight<T> {
     pub(super) distances: [T; WIDTH],
     /// 1 for each that counts.
     pub(super) flags: [u8; WIDTH],
+    /// Of shapes the [`FaceCode`](crate::trace::hit::FaceCode) of what is met.
+    pub(super) faces: [u32; WIDTH],
 }
 
 impl<T: Real> Eight<T> {
-    pub(super) const NONE: Self = Self { distances: [T::ZERO; WIDTH], flags: [0; WIDTH] };
+    pub(super) const NONE: Self = Self { distances: [T::ZERO; WIDTH], flags: [0; WIDTH], faces: [0; WIDTH] };
 
     /// The numbers of those that count, the least first.
     #[inline(always)]
@@ -61,31 +63,63 @@ impl Slots {
     }
 }
 
+/// What is computed from a ray alone: for several rays at once where there are several.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::trace) struct RayNumbers<T> {
+    /// Inverse direction; where that would be too large, the largest number that leaves room for slack.
+    pub(in crate::trace) inverse: Vector<T>,
+    /// What rounding may do to the origin.
+    pub(in crate::trace) pad: T,
+    /// The inverse of the direction's length, and its square.
+    pub(in crate::trace) inverse_length: T,
+    pub(in crate::trace) inverse_square: T,
+}
+
+impl<T: Real> RayNumbers<T> {
+    /// Of a ray in a tree whose shapes are found with this much rounding.
+    #[inline(always)]
+    pub(in crate::trace) fn new(ray: &Ray<T>, rounding: T) -> Self {
+        let (origin, direction) = (ray.origin, ray.direction);
+        let inverse = |along: T| inverse(along, along < T::ZERO);
+        let square = direction.dot(direction);
+        Self {
+            inverse: Vector::new(inverse(direction.x), inverse(direction.y), inverse(direction.z)),
+            pad: rounding * ((origin.x.abs() + origin.y.abs()) + origin.z.abs()),
+            inverse_length: T::ONE / square.sqrt(),
+            inverse_square: T::ONE / square,
+        }
+    }
+}
+
 impl<T: Real> TreeRay<T> {
     /// Prepares a ray for a tree whose shapes are found with this much rounding.
     #[inline(always)]
     pub(in crate::trace) fn new(ray: Ray<T>, rounding: T) -> Self {
-        let origin = ray.origin;
-        let pad = rounding * ((origin.x.abs() + origin.y.abs()) + origin.z.abs());
+        Self::of(ray, &RayNumbers::new(&ray, rounding))
+    }
+
+    /// A ray and its numbers.
+    #[inline(always)]
+    pub(in crate::trace) fn of(ray: Ray<T>, numbers: &RayNumbers<T>) -> Self {
+        let &RayNumbers { inverse, pad, inverse_length, inverse_square } = numbers;
         let axis = |at: T, direction: T, number: usize| {
             let backwards = direction < T::ZERO;
             let towards = if backwards { -pad } else { pad };
             let planes = if backwards { (number + 3, number) } else { (number, number + 3) };
-            (inverse(direction, backwards), at + towards, at - towards, planes)
+            (at + towards, at - towards, planes)
         };
-        let (ix, near_x, far_x, px) = axis(origin.x, ray.direction.x, 0);
-        let (iy, near_y, far_y, py) = axis(origin.y, ray.direction.y, 1);
-        let (iz, near_z, far_z, pz) = axis(origin.z, ray.direction.z, 2);
-        let square = ray.direction.dot(ray.direction);
+        let (near_x, far_x, px) = axis(ray.origin.x, ray.direction.x, 0);
+        let (near_y, far_y, py) = axis(ray.origin.y, ray.direction.y, 1);
+        let (near_z, far_z, pz) = axis(ray.origin.z, ray.direction.z, 2);
         Self {
             ray,
-            inverse: Vector::new(ix, iy, iz),
+            inverse,
             near_origin: Vector::new(near_x, near_y, near_z),
             far_origin: Vector::new(far_x, far_y, far_z),
             near: [px.0, py.0, pz.0],
             far: [px.1, py.1, pz.1],
-            inverse_length: T::ONE / square.sqrt(),
-            inverse_square: T::ONE / square,
+            inverse_length,
+            inverse_square,
         }
     }
 

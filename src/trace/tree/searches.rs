@@ -18,6 +18,8 @@ pub(in crate::trace) struct Nearest<'a, T: Real> {
     pub(in crate::trace) t: T,
     /// Packed name of the object at `t`, of whatever kind, or nobody's.
     pub(in crate::trace) name: u32,
+    /// Which face of it, see [`FaceCode`](crate::trace::hit::FaceCode).
+    pub(in crate::trace) face: u32,
 }
 
 impl<T: Real> TreeSearch<T> for Nearest<'_, T> {
@@ -27,11 +29,12 @@ impl<T: Real> TreeSearch<T> for Nearest<'_, T> {
     }
 
     #[inline(always)]
-    fn meet(&mut self, row: u32, t: T) {
+    fn meet(&mut self, row: u32, t: T, face: u32) {
         let name = ObjectId::packed(self.kind, row);
         if t < self.t || (t == self.t && comes_first(self.tables, name, self.name)) {
             self.t = t;
             self.name = name;
+            self.face = face;
         }
     }
 
@@ -55,7 +58,7 @@ impl<T: Real> TreeSearch<T> for Any<T> {
     }
 
     #[inline(always)]
-    fn meet(&mut self, row: u32, t: T) {
+    fn meet(&mut self, row: u32, t: T, _face: u32) {
         if t < self.reach {
             self.row = row;
         }

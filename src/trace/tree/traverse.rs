@@ -1,6 +1,7 @@
 //! Rays down a tree, eight boxes or eight shapes at a time.
 
-use crate::geometry::Real;
+use crate::geometry::{Meeting, Real};
+use crate::trace::hit::FaceCode;
 
 use super::beam::Beam;
 use super::prefetch::prefetch;
@@ -13,11 +14,26 @@ pub(in crate::trace) trait TreeSearch<T: Real> {
     /// How far it still looks.
     fn reach(&self) -> T;
 
-    /// Told of a crossing up to there with a row.
-    fn meet(&mut self, row: u32, t: T);
+    /// Told of a crossing up to there with a row, and of its [`FaceCode`].
+    fn meet(&mut self, row: u32, t: T, face: u32);
 
     /// Whether it has seen enough.
     fn is_done(&self) -> bool;
+}
+
+/// What the rays of a beam look for in a tree of shapes `S`.
+///
+/// A trait, because closures cannot be told to be inlined: where there were many copies of the search they were not, and
+/// so compiled for the instructions that every processor has. Primary rays among 1e3 spheres took twice as long.
+pub(in crate::trace) trait BeamSearch<T: Real, S> {
+    /// How far any of the rays still looks; below 0 once the search is over.
+    fn reach(&self) -> T;
+
+    /// Whether any of the rays may meet a shape: asked of eight, one after the other.
+    fn may_meet(&self, shape: &S) -> bool;
+
+    /// Told of a shape that they may meet, and its row.
+    fn meet(&mut self, shape: &S, row: u32);
 }
 
 /// A ray on its way down a tree.
@@ -113,19 +129,16 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         size_of_val(&*self.nodes) + size_of_val(&*self.leaves) > LARGE
     }
 
-    /// Tells `meet` of every shape with its row that a ray of the beam may meet at up to a reach, and of no row twice for
-    /// nothing; near boxes come first if `SORTED`. `may_meet` sorts out shapes eight at a time. What `meet` returns is the
-    /// new reach; once it is below 0 the search is over.
+    /// Tells a search of every shape that a ray of the beam may meet up to its reach, and of no row twice for nothing;
+    /// near boxes come first if `SORTED`.
     #[inline(always)]
     pub(in crate::trace) fn search_beam<const SORTED: bool>(
         &self,
         beam: &Beam<T>,
-        reach: T,
         stack: &mut Stack<T>,
-        may_meet: impl Fn(&S) -> bool,
-        mut meet: impl FnMut(&S, u32) -> T,
+        search: &mut impl BeamSearch<T, S>,
     ) {
-        let mut place = Place { code: 0, height: 0, limit: reach * slack() };
+        let mut place = Place { code: 0, height: 0, limit: search.reach() * slack() };
         loop {
             if place.code & Child::LEAF == 0 {
                 let node = &self.nodes[place.code as usize];
@@ -138,7 +151,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
             } else {
                 let leaf = &self.leaves[(place.code & !Child::LEAF) as usize];
                 for slot in 0..WIDTH {
-                    stack.found.flags[slot] = u8::from(may_meet(&S::unpack(&leaf.block, slot)));
+                    stack.found.flags[slot] = u8::from(search.may_meet(&S::unpack(&leaf.block, slot)));
                 }
                 let (mut found, mut last) = (stack.found.counted(), NO_ROW);
                 while !found.is_empty() {
@@ -147,7 +160,8 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
                         continue;
                     }
                     last = leaf.rows[slot];
-                    let reach = meet(&S::unpack(&leaf.block, slot), last);
+                    search.meet(&S::unpack(&leaf.block, slot), last);
+                    let reach = search.reach();
                     if reach < T::ZERO {
                         return;
                     }
@@ -222,13 +236,14 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
             let meeting = S::unpack(&leaf.block, slot).meet(&ray.ray);
             let counts = leaf.rows[slot] != departed;
             found.distances[slot] = meeting.t;
+            found.faces[slot] = FaceCode::of(&meeting);
             found.flags[slot] = u8::from((meeting.t <= reach) & counts);
             unsure |= u32::from(meeting.unsure & counts) << slot;
         }
         let mut met = found.counted();
         while !met.is_empty() {
             let slot = met.take();
-            search.meet(leaf.rows[slot], found.distances[slot]);
+            search.meet(leaf.rows[slot], found.distances[slot], found.faces[slot]);
         }
         if unsure != 0 {
             settle::<T, S>(leaf, ray, unsure, search);
@@ -249,7 +264,7 @@ fn settle<T: Real, S: Packed<T>>(
         if let Some(crossing) = S::unpack(&leaf.block, slot).intersect(&ray.ray)
             && crossing.t <= search.reach()
         {
-            search.meet(leaf.rows[slot], crossing.t);
+            search.meet(leaf.rows[slot], crossing.t, FaceCode::of(&Meeting::from(crossing)));
         }
     }
 }

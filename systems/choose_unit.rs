@@ -1,0 +1,152 @@
+//! The unit in which tables keep lengths.
+
+use std::sync::Arc;
+
+use bevy_ecs::prelude::*;
+use bevy_ecs::system::SystemParam;
+use glam::DVec3;
+
+use crate::components::range::{COORDINATE, LENGTH};
+use crate::components::{
+    Aperture, AreaLight, CameraPose, Checkerboard, Cube, Directional, Lens, Light, Position, Pyramid,
+    Shutter, Sphere, SpotCone, Velocity,
+};
+use crate::effects::Effect;
+use crate::geometry::{Real, Unit};
+
+use super::problem::{Measure, WorldProblem};
+use super::shape_tables::Shape;
+use super::{Muted, Tables};
+
+/// Chooses the unit from the lengths that there are, whatever it was before; tables in another one are extracted anew.
+/// Where no unit holds them all, that is a problem of the World.
+pub(super) fn choose_unit<T: Real>(lengths: Lengths, mut tables: ResMut<Tables<T>>) {
+    let mut problems = Vec::new();
+    if let Extremes { least: Some(least), greatest: Some(greatest) } = lengths.extremes() {
+        match Unit::holding(least.found, greatest.found, T::LENGTH_LIMIT) {
+            Some(unit) if unit != tables.scene.unit => Arc::make_mut(&mut tables.scene).unit = unit,
+            Some(_) => {}
+            None => problems.push(WorldProblem::Precision {
+                least,
+                greatest,
+                precision: T::NAME,
+                // A power of two lies between any two numbers that are twice as far apart.
+                ratio: 0.5 * T::LENGTH_LIMIT * T::LENGTH_LIMIT,
+            }),
+        }
+    }
+    tables.problems.insert("Unit", problems);
+}
+
+type Objects<'w, 's, S> = Query<'w, 's, (Entity, &'static S, &'static Position)>;
+type LightData = (
+    Entity,
+    &'static Position,
+    Option<&'static SpotCone>,
+    Option<&'static AreaLight>,
+    Option<&'static Directional>,
+);
+type CameraData =
+    (Entity, &'static CameraPose, &'static Lens, Option<&'static Aperture>, Option<&'static Shutter>);
+type AnyShape = Or<(With<Sphere>, With<Cube>, With<Pyramid>, With<Checkerboard>)>;
+
+/// Whatever has a length that the trace computes with.
+#[derive(SystemParam)]
+pub(super) struct Lengths<'w, 's> {
+    spheres: Objects<'w, 's, Sphere>,
+    cubes: Objects<'w, 's, Cube>,
+    pyramids: Objects<'w, 's, Pyramid>,
+    boards: Objects<'w, 's, Checkerboard>,
+    lights: Query<'w, 's, LightData, With<Light>>,
+    cameras: Query<'w, 's, CameraData>,
+    velocities: Query<'w, 's, (Entity, &'static Velocity), AnyShape>,
+    muted: Res<'w, Muted>,
+}
+
+impl Lengths<'_, '_> {
+    fn extremes(&self) -> Extremes {
+        let mut extremes = Extremes::default();
+        extremes.objects(&self.spheres);
+        extremes.objects(&self.cubes);
+        extremes.objects(&self.pyramids);
+        extremes.objects(&self.boards);
+        self.lights(&mut extremes);
+        self.cameras(&mut extremes);
+        extremes
+    }
+
+    fn lights(&self, extremes: &mut Extremes) {
+        for (entity, position, cone, area, directional) in &self.lights {
+            if self.muted.hear(Effect::Directional, directional).is_some() {
+                continue;
+            }
+            extremes.point(entity, "Position", position.0);
+            if let Some(cone) = self.muted.hear(Effect::SpotCone, cone) {
+                extremes.point(entity, "SpotCone.target", cone.target);
+            }
+            if let Some(area) = self.muted.hear(Effect::AreaLight, area) {
+                extremes.extent(entity, "AreaLight.radius", area.radius);
+            }
+        }
+    }
+
+    fn cameras(&self, extremes: &mut Extremes) {
+        for (entity, pose, lens, aperture, shutter) in &self.cameras {
+            extremes.point(entity, "CameraPose.position", pose.position);
+            extremes.length(entity, "Lens.near", lens.near);
+            if let Some(aperture) = self.muted.hear(Effect::Aperture, aperture) {
+                extremes.length(entity, "Aperture.focus", aperture.focus);
+            }
+            if let Some(shutter) = self.muted.hear(Effect::MotionBlur, shutter) {
+                self.ways(*shutter, extremes);
+            }
+        }
+    }
+
+    /// How far things move while a shutter is open.
+    fn ways(&self, shutter: Shutter, extremes: &mut Extremes) {
+        for (entity, &Velocity(velocity)) in &self.velocities {
+            extremes.point(entity, "Velocity", velocity);
+            extremes.point(entity, "Velocity * Shutter.open", velocity * shutter.open);
+            extremes.point(entity, "Velocity * Shutter.close", velocity * shutter.close);
+        }
+    }
+}
+
+/// The least and the greatest length found so far; of those outside their ranges others will tell.
+#[derive(Default)]
+struct Extremes {
+    least: Option<Measure>,
+    greatest: Option<Measure>,
+}
+
+impl Extremes {
+    fn objects<S: Shape>(&mut self, objects: &Objects<S>) {
+        for (entity, shape, position) in objects {
+            self.point(entity, "Position", position.0);
+            for (value, found) in shape.lengths().into_iter().flatten() {
+                self.length(entity, value, found);
+            }
+        }
+    }
+
+    fn point(&mut self, entity: Entity, value: &'static str, point: DVec3) {
+        self.extent(entity, value, point.abs().max_element());
+    }
+
+    /// A length that may be 0, or any part of another.
+    fn extent(&mut self, entity: Entity, value: &'static str, found: f64) {
+        let is_greatest = self.greatest.is_none_or(|greatest| greatest.found < found);
+        if is_greatest && COORDINATE.contains(found) {
+            self.greatest = Some(Measure { entity, value, found });
+        }
+    }
+
+    fn length(&mut self, entity: Entity, value: &'static str, found: f64) {
+        self.extent(entity, value, found);
+        let is_least = self.least.is_none_or(|least| least.found > found);
+        if is_least && LENGTH.contains(found) {
+            self.least = Some(Measure { entity, value, found });
+        }
+    }
+}
