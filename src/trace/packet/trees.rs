@@ -1,6 +1,6 @@
 //! Packets and trees: all rays as one where they go much the same way, otherwise each by itself.
 
-use crate::geometry::{Real, Straight as _};
+use crate::geometry::Real;
 use crate::trace::tree::{Any, Beam, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
@@ -8,6 +8,7 @@ use super::beam::{AnyOfBeam, BeamRays, NearestOfBeam, beam_of};
 use super::bundle::Bundle;
 use super::closest::HitLanes;
 use super::lanes::{LANES, Lanes, RayLanes, Reach, VectorLanes, mask, nowhere};
+use super::occlusion::test as test_occlusion;
 
 /// Rays that take turns in a tree.
 const GROUP: usize = 8;
@@ -163,6 +164,9 @@ pub(super) fn block_tree<T: Real, C>(
     let Some(tree) = tree else { return };
     let search = ShadowSearch { table, tree, segments };
     let last = &mut scratch.occluders[light % LIGHTS][C::KIND as usize % 3];
+    if *last != NO_ROW && !search.hide(*last, reach) {
+        return;
+    }
     if let Some(beam) = beam_of(tree, segments, bundle, reach) {
         search.together(&beam, bundle, reach, &mut scratch.stacks[0]);
     } else if tree.is_large() {
@@ -189,13 +193,13 @@ impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
     fn one_by_one(&self, reach: &mut Reach<T>, last: &mut u32, stack: &mut Stack<T>) {
         let numbers = NumberLanes::of(self.segments, self.tree.rounding());
         for lane in 0..LANES {
-            if reach[lane] > T::ZERO && self.hides(*last, lane, reach) {
-                reach[lane] = nowhere();
-            }
             if reach[lane] > T::ZERO {
                 let mut walk = self.walk(lane, &numbers, reach);
                 self.tree.search::<false, _>(&mut walk, stack);
-                self.settle(lane, &walk.search, reach, last);
+                if walk.search.row != NO_ROW {
+                    *last = walk.search.row;
+                    self.hide(*last, reach);
+                }
             }
         }
     }
@@ -204,17 +208,15 @@ impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
     fn in_turns(&self, reach: &mut Reach<T>, last: &mut u32, stacks: &mut [Stack<T>; GROUP]) {
         let numbers = NumberLanes::of(self.segments, self.tree.rounding());
         for first in (0..LANES).step_by(GROUP) {
-            for lane in first..first + GROUP {
-                if reach[lane] > T::ZERO && self.hides(*last, lane, reach) {
-                    reach[lane] = nowhere();
-                }
-            }
             let mut walks: [_; GROUP] =
                 core::array::from_fn(|number| self.walk(first + number, &numbers, reach));
             let active = mask(|lane| reach[lane] > T::ZERO) >> first & ALL;
             self.tree.search_in_turns::<false, _>(&mut walks, active, stacks);
             for (lane, walk) in (first..).zip(&walks) {
-                self.settle(lane, &walk.search, reach, last);
+                if walk.search.row != NO_ROW {
+                    *last = walk.search.row;
+                    reach[lane] = nowhere();
+                }
             }
         }
     }
@@ -226,21 +228,11 @@ impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
         Walk::new(ray, departed_row(self.segments, lane, C::KIND), any)
     }
 
-    /// Takes over what was found.
+    /// Lets a row hide the light in whatever lanes it does; whether any lane is left.
     #[inline(always)]
-    fn settle(&self, lane: usize, search: &Any<T>, reach: &mut Reach<T>, last: &mut u32) {
-        if search.row != NO_ROW {
-            *last = search.row;
-            reach[lane] = nowhere();
-        }
-    }
-
-    /// Whether the row that hid a light last hides it here.
-    #[inline(always)]
-    fn hides(&self, row: u32, lane: usize, reach: &Reach<T>) -> bool {
-        row != NO_ROW
-            && row != departed_row(self.segments, lane, C::KIND)
-            && self.table.shapes.shape(row as usize).meet(&self.segments.get(lane)).t < reach[lane]
+    fn hide(&self, row: u32, reach: &mut Reach<T>) -> bool {
+        let shape = self.table.shapes.shape(row as usize);
+        test_occlusion(&shape, ObjectId::packed(C::KIND, row), self.segments, reach)
     }
 }
 
