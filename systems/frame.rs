@@ -91,7 +91,8 @@ impl<T: Real> Tables<T> {
 
     /// Everything that is wrong with the World, as of the last extraction.
     pub fn problems(&self) -> Vec<WorldProblem> {
-        self.problems.values().flatten().cloned().chain(lacking(self.effects())).collect()
+        let lacking = lacking(self.effects(), EffectSet::COMPILED);
+        self.problems.values().flatten().cloned().chain(lacking).collect()
     }
 }
 

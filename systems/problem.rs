@@ -151,9 +151,9 @@ impl Display for Measure {
     }
 }
 
-/// What is wrong with a World that asks for effects that this program was built without.
-pub(super) fn lacking(asked: EffectSet) -> Option<WorldProblem> {
-    let effects = asked.minus(EffectSet::COMPILED);
+/// What is wrong with a World that asks for effects of which a program has no code.
+pub(super) fn lacking(asked: EffectSet, compiled: EffectSet) -> Option<WorldProblem> {
+    let effects = asked.minus(compiled);
     (!effects.is_empty()).then(|| {
         let names: Vec<_> = effects.iter().map(Effect::name).collect();
         WorldProblem::NotCompiled { effects: names.join(", ") }
@@ -179,5 +179,25 @@ impl Checks {
         for found in point.to_array() {
             self.value(entity, value, found, &COORDINATE);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_effect_that_a_program_was_built_without_is_named() {
+        for effect in Effect::ALL {
+            let compiled = EffectSet::ALL.without(effect);
+            let problem = lacking(EffectSet::ALL, compiled).unwrap();
+            assert_eq!(problem, WorldProblem::NotCompiled { effects: effect.name().to_owned() });
+            assert!(problem.to_string().starts_with(&format!("the World asks for {}, but", effect.name())));
+            assert_eq!(lacking(compiled, compiled), None, "{effect:?} is not asked for");
+        }
+        let two = EffectSet::of(&[Effect::Mirror, Effect::Fog]);
+        let effects = "mirror, fog".to_owned();
+        assert_eq!(lacking(two, EffectSet::NONE), Some(WorldProblem::NotCompiled { effects }));
+        assert_eq!(lacking(EffectSet::NONE, EffectSet::NONE), None);
     }
 }

@@ -26,15 +26,13 @@ impl<T: Real> Air<T> {
         EffectSet::present(&present)
     }
 
-    /// The light that arrives from a unit direction in which there is no surface, as far as code for these effects knows.
+    /// The light that arrives from a unit direction in which there is no surface, if any, as far as code for these effects
+    /// knows.
     #[inline(always)]
-    pub(super) fn beyond<const EFFECTS: u32>(&self, direction: Vector<T>) -> Rgb<T> {
+    pub(super) fn beyond<const EFFECTS: u32>(&self, direction: Vector<T>) -> Option<Rgb<T>> {
+        let haze = known::<EFFECTS, _>(Effect::Fog, self.haze.as_ref());
         let background = known::<EFFECTS, _>(Effect::Background, self.background.as_ref());
-        match (known::<EFFECTS, _>(Effect::Fog, self.haze.as_ref()), background) {
-            (Some(haze), _) => haze.color,
-            (None, Some(background)) => background.toward(direction),
-            (None, None) => Rgb::BLACK,
-        }
+        haze.map(|haze| haze.color).or_else(|| background.map(|background| background.toward(direction)))
     }
 }
 

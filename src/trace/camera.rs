@@ -113,11 +113,15 @@ impl<T: Real> CameraRays<T> {
         let Some(aperture) = known::<EFFECTS, _>(Effect::Aperture, self.effects.aperture) else {
             return self.near_plane_ray(self.eye, direction);
         };
-        let on_lens = self.on_lens(&aperture, sample);
-        self.near_plane_ray(
-            self.eye + on_lens,
-            direction - on_lens / T::from_f64(self.unit.length(aperture.focus)),
-        )
+        self.through_lens(&aperture, direction, sample)
+    }
+
+    /// The ray to where a pinhole's ray would meet the plane in focus. Not inlined: pinholes would pay for its registers.
+    #[inline(never)]
+    fn through_lens(&self, aperture: &Aperture, direction: Vector<T>, sample: SampleId) -> CameraRay<T> {
+        let on_lens = self.on_lens(aperture, sample);
+        let focus = T::from_f64(self.unit.length(aperture.focus));
+        self.near_plane_ray(self.eye + on_lens, direction - on_lens / focus)
     }
 
     /// From the eye to a pixel centre at distance 1 along the look.

@@ -9,8 +9,8 @@ use super::filtered_color::{PixelSpot, filtered_color};
 use super::kernel::{has, known};
 use super::shade::{Lighting, Look, Shaded};
 use super::{
-    CameraRay, Counts, Departure, GlassRow, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns,
-    SurfaceRow, Trail, closest_hit,
+    CameraRay, Counts, Departure, GlassRow, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns, Trail,
+    closest_hit,
 };
 
 /// Where glass splits a ray in two, no part is followed of which less than this, in every channel, would reach the pixel.
@@ -76,14 +76,11 @@ pub(super) fn radiance_of<T: Real, const EFFECTS: u32>(
 ) -> Radiance<T> {
     let Some(remaining) = depth.level.checked_sub(1) else { return Radiance::default() };
     let CameraRay { ray, reach, cone } = start;
-    let first = Path { ray, reach, cone, departure: Departure::Free, weight: Rgb::WHITE, remaining };
+    let mut path = Path { ray, reach, cone, departure: Departure::Free, weight: Rgb::WHITE, remaining };
     let cutoff = depth.cutoff;
     let found = Radiance::default();
     let mut walk = Walk::<T, EFFECTS> { tables, cutoff, sample, rays: 0, found, waiting: Vec::new() };
-    let mut next = Some(first);
-    while let Some(path) = next {
-        next = walk.follow(&path, counts).or_else(|| walk.next_waiting());
-    }
+    while walk.follow(&mut path, counts) || walk.take_waiting(&mut path) {}
     walk.found
 }
 
@@ -112,26 +109,32 @@ struct Walk<'a, T: Real, const EFFECTS: u32> {
 }
 
 impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
+    /// Goes on with a ray that waits, if any does.
     #[inline(always)]
-    fn next_waiting(&mut self) -> Option<Path<T>> {
-        if has::<EFFECTS>(Effect::Glass) { self.waiting.pop() } else { None }
+    fn take_waiting(&mut self, path: &mut Path<T>) -> bool {
+        let waiting = if has::<EFFECTS>(Effect::Glass) { self.waiting.pop() } else { None };
+        waiting.map(|next| *path = next).is_some()
     }
 
-    /// Adds the light that one ray finds, and says how it goes on.
-    #[inline(always)]
-    fn follow(&mut self, path: &Path<T>, counts: &mut Counts) -> Option<Path<T>> {
+    /// Adds the light that one ray finds, turns it into the ray that follows it, and says whether one does. Not inlined, so
+    /// that the path stays where it is, whatever the effects: copies of it cost more than they all do.
+    #[inline(never)]
+    fn follow(&mut self, path: &mut Path<T>, counts: &mut Counts) -> bool {
         let tables = self.tables;
         self.rays += 1;
         let Some(hit) = closest_hit(tables, &path.ray, &path.departure, path.reach) else {
-            self.found.color += tables.air.beyond::<EFFECTS>(path.ray.direction) * path.weight;
-            return None;
+            if let Some(light) = tables.air.beyond::<EFFECTS>(path.ray.direction) {
+                self.found.color += light * path.weight;
+            }
+            return false;
         };
         let (surfaces, row) = tables.surface(hit.object);
         let surface = surfaces.row(row).of_kernel::<EFFECTS>();
         self.found.trail = self.found.trail.after(ObjectId::packed(hit.object.kind, hit.object.row));
-        let weight = self.dim(path, &hit, &surface);
+        self.dim(path, &hit, surface.glass.is_some());
+        let weight = path.weight;
         if weight == Rgb::BLACK {
-            return None;
+            return false;
         }
         let direction = path.ray.direction;
         let shaded = Shaded::new(&hit, locate(tables, &hit, &path.ray));
@@ -163,38 +166,48 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         if let Some(glass) = glass {
             let cutoff = self.cutoff;
             let pane = Pane { glass, hit: &hit, normal: shaded.normal, direction, weight, cutoff };
-            return pane.part(mirror, reflected, &mut self.waiting, counts);
+            let part = pane.part(mirror, reflected, &mut self.waiting, counts);
+            return part.map(|next| *path = next).is_some();
         }
-        (reflected.weight.largest() > self.cutoff).then_some(reflected).inspect(|_| counts.rays.mirror += 1)
+        let is_followed = reflected.weight.largest() > self.cutoff;
+        if is_followed {
+            counts.rays.mirror += 1;
+            *path = reflected;
+        }
+        is_followed
     }
 
-    /// What is left of a ray's light on the way to what it met; what fog adds to it is added.
+    /// Takes from a ray's light what is lost on the way to what it met; what fog adds to it is added. What does that
+    /// writes where the light is kept: in scenes without fog and glass nothing is moved.
     #[inline(always)]
-    fn dim(&mut self, path: &Path<T>, hit: &Hit<T>, surface: &SurfaceRow<T>) -> Rgb<T> {
-        let distance = hit.crossing.t;
-        if surface.glass.is_some() && hit.crossing.side == Side::Inside {
-            return surface
-                .absorption
-                .map_or(path.weight, |absorption| path.weight * left_by(absorption, distance));
-        }
-        match known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze.as_ref()) {
-            Some(haze) => {
-                let (added, left) = dim_in(haze, path.weight, distance);
-                self.found.color += added;
-                left
+    fn dim(&mut self, path: &mut Path<T>, hit: &Hit<T>, is_glass: bool) {
+        if is_glass && hit.crossing.side == Side::Inside {
+            if has::<EFFECTS>(Effect::Absorption) {
+                absorb(self.tables, hit, &mut path.weight);
             }
-            None => path.weight,
+        } else if let Some(haze) = known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze.as_ref()) {
+            veil(haze, hit.crossing.t, &mut path.weight, &mut self.found.color);
         }
     }
 }
 
 // What few scenes ask for stays in functions of its own: the loop around it would keep less in registers.
 
-/// The light that fog adds on the way, and what it leaves.
+/// What glass leaves of a ray's light from side to side.
 #[inline(never)]
-fn dim_in<T: Real>(haze: &Haze<T>, weight: Rgb<T>, distance: T) -> (Rgb<T>, Rgb<T>) {
+fn absorb<T: Real>(tables: &SceneTables<T>, hit: &Hit<T>, weight: &mut Rgb<T>) {
+    let (surfaces, row) = tables.surface(hit.object);
+    if let Some(&absorption) = surfaces.absorption.get(row) {
+        *weight = *weight * left_by(absorption, hit.crossing.t);
+    }
+}
+
+/// The light that fog adds on the way, and what it leaves of a ray's.
+#[inline(never)]
+fn veil<T: Real>(haze: &Haze<T>, distance: T, weight: &mut Rgb<T>, found: &mut Rgb<T>) {
     let left = haze.left_after(distance);
-    (haze.color * weight * (T::ONE - left), weight * left)
+    *found += haze.color * *weight * (T::ONE - left);
+    *weight = *weight * left;
 }
 
 /// Glass where a ray meets it.

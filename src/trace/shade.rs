@@ -1,12 +1,14 @@
 //! The light that a surface point sends back by itself.
 
-use crate::components::Texture;
-use crate::effects::{Ball, Effect, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index};
+use crate::effects::{
+    Ball, CellPoint, Effect, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index,
+};
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
 use super::kernel::known;
 use super::{
-    Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail, is_occluded,
+    BoardTexture, Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail,
+    is_occluded,
 };
 
 /// A surface point as the shading sees it.
@@ -223,18 +225,17 @@ pub(super) fn own_color<T: Real, const EFFECTS: u32>(
     let (origin, width) = boards.pattern(row);
     let cell = cell_point(point.x - origin.x, point.y - origin.y, width);
     match known::<EFFECTS, _>(Effect::Texture, boards.textures.get(row)) {
-        Some(texture) => {
-            let image = if cell.white { &texture.white } else { &texture.black };
-            texel_color(image, cell.along_x, T::ONE - cell.along_y)
-        }
+        Some(texture) => texel_color(texture, &cell),
         None if cell.white => plain,
         None => Rgb::BLACK,
     }
 }
 
-/// The texel at a position from the left and from the top, each 0 to 1.
-fn texel_color<T: Real>(image: &Texture, from_left: T, from_top: T) -> Rgb<T> {
-    let column = texel_index(from_left, image.width());
-    let row = texel_index(from_top, image.height());
+/// The texel of a cell's image. Not inlined: boards without images would pay for its registers.
+#[inline(never)]
+fn texel_color<T: Real>(texture: &BoardTexture, cell: &CellPoint<T>) -> Rgb<T> {
+    let image = if cell.white { &texture.white } else { &texture.black };
+    let column = texel_index(cell.along_x, image.width());
+    let row = texel_index(T::ONE - cell.along_y, image.height());
     Rgb::from_bytes(image.texel(column, row))
 }

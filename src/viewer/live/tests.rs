@@ -8,7 +8,9 @@ use crate::components::Precision::{self, F32, F64};
 use super::super::test_views::{heavy, official, rendered, view, workers};
 use super::super::traced_view::SharedTables;
 use super::*;
-use crate::components::{Adaptive, Cutoff};
+use crate::components::{
+    Adaptive, Aperture, CameraPose, Cutoff, ExposureStops, Shutter, Sphere, SrgbTransfer, Velocity,
+};
 use crate::film::Film;
 use crate::study::{Difference, ERROR_LEVELS, false_color};
 use crate::trace::SampleGrid;
@@ -156,6 +158,38 @@ fn adaptive_samples_and_a_cutoff_give_what_render_gives() {
         assert_eq!(shown[2].counts, counts);
         let all = u64::from(SIDE * SIDE * grid * grid);
         assert!((all / 10..all).contains(&counts.rays.primary), "{counts:?}");
+    }
+}
+
+/// The official scene with spheres that move, seen by a camera that is given something.
+fn seen_by(give: fn(&mut EntityWorldMut<'_>)) -> World {
+    let mut world = official();
+    let spheres: Vec<_> = world.query_filtered::<Entity, With<Sphere>>().iter(&world).collect();
+    for sphere in spheres {
+        world.entity_mut(sphere).insert(Velocity(glam::DVec3::new(300.0, 0.0, 100.0)));
+    }
+    let camera = world.query_filtered::<Entity, With<CameraPose>>().single(&world).unwrap();
+    give(&mut world.entity_mut(camera));
+    world
+}
+
+#[test]
+fn effects_of_the_camera_show_as_render_shows_them() {
+    let effects: [fn(&mut EntityWorldMut<'_>); 4] = [
+        |camera| _ = camera.insert(Aperture { radius: 6.0, focus: 190.0 }),
+        |camera| _ = camera.insert(Shutter { open: 0.0, close: 0.1 }),
+        |camera| _ = camera.insert(ExposureStops(-1.0)),
+        |camera| _ = camera.insert(SrgbTransfer),
+    ];
+    let plain = rendered(seen_by(|_| ()), F64, SIDE, 2).0.to_rgb8();
+    let live = Stepped::new();
+    for (number, give) in effects.into_iter().enumerate() {
+        let samples = Samples::of(SampleGrid::new(2));
+        let shown = live.all(wanted(view(&mut seen_by(give), F64), SIDE, samples)).pop().unwrap();
+        let (film, counts) = rendered(seen_by(give), F64, SIDE, 2);
+        assert!(shown.rgb8 == film.to_rgb8(), "effect {number}");
+        assert_eq!(shown.counts, counts);
+        assert!(shown.rgb8 != plain, "effect {number} does not show");
     }
 }
 

@@ -1,7 +1,6 @@
 //! Every knob that trades truth for time.
 
 use bevy_ecs::prelude::*;
-use core::ops::RangeInclusive;
 use egui::Ui;
 
 use crate::components::range::{COEFFICIENT, MAX_GRID, MAX_LEVEL, MAX_LIGHT_SAMPLES, MAX_PIXELS};
@@ -10,7 +9,7 @@ use crate::study::{Preset, Setting};
 use crate::viewer::editor::{accuracy, own_level};
 
 use super::Panel;
-use super::fields::{number, row, share_of_width, whole};
+use super::fields::{number, row, share_of_width, whole, whole_row};
 
 /// What adaptive sampling is switched on with: half a level of 256 in every second pixel.
 const THRESHOLD: f64 = 1.0 / 128.0;
@@ -102,8 +101,4 @@ fn choice<V: PartialEq + Copy>(ui: &mut Ui, value: &mut V, all: &[(V, &str)]) {
             *value = *other;
         }
     }
-}
-
-fn whole_row(ui: &mut Ui, label: &str, hover: &str, value: &mut u32, range: RangeInclusive<u32>) {
-    row(ui, label, hover, |ui| whole(ui, value, range));
 }

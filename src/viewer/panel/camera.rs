@@ -8,6 +8,7 @@ use crate::components::range::{FIELD_OF_VIEW, LENGTH, RATIO};
 use crate::components::{CameraPose, Lens, Reference};
 
 use super::Panel;
+use super::camera_effects;
 use super::digits::short;
 use super::fields::{length_row, number_row, relative, row, share_of_width};
 
@@ -35,6 +36,7 @@ pub(super) fn show(ui: &mut Ui, panel: &mut Panel<'_>) {
     if edit_lens(ui, &mut lens) {
         panel.editor.change(panel.world, entity, Some(lens));
     }
+    ui.push_id(entity, |ui| camera_effects::show(ui, panel, entity));
 }
 
 fn vector(ui: &mut Ui, label: &str, hover: &str, vector: DVec3) {

@@ -5,15 +5,16 @@ use core::any::TypeId;
 use bevy_ecs::prelude::*;
 use egui::{Align, Layout, RichText, Ui};
 
-use crate::components::range::{COEFFICIENT, CUTOFF, FALLOFF, LENGTH, SHININESS};
+use crate::components::range::{COEFFICIENT, COLOR, LENGTH};
 use crate::components::{
-    Ambient, Checkerboard, Color, Cube, Diffuse, Falloff, Gloss, Light, Mirror, Order, Position, Pyramid,
-    Sphere, SpotCone, Textured,
+    Absorption, Ambient, Aperture, AreaLight, Background, CheckerFilter, Checkerboard, Color, Cube, Diffuse,
+    Directional, ExposureStops, Falloff, Fog, Glass, Gloss, Light, LightColor, Mirror, Order, Position,
+    Pyramid, Shutter, Sphere, SpotCone, SrgbTransfer, TextureFilter, Textured, Velocity,
 };
-use crate::viewer::editor::significant;
 
 use super::Panel;
-use super::fields::{color_row, length_row, number_row, point_row, relative, row, share_row};
+use super::effects;
+use super::fields::{color_row, length_row, point_row, row, share_row};
 use super::name::{Kind, name_of};
 
 /// Name, what can be done with the whole, and every component.
@@ -27,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, panel: &mut Panel<'_>) {
     ui.push_id(entity, |ui| {
         head(ui, panel, entity);
         parts(ui, panel, entity);
-        effects(ui, panel, entity);
+        effects::show(ui, panel, entity);
         others(ui, panel.world, entity);
     });
 }
@@ -78,7 +79,7 @@ fn parts(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
         length_row(ui, "cell", "edge of a cell, in world units", &mut board.cell, &LENGTH)
     });
     edit::<Color>(ui, panel, entity, |ui, color| {
-        color_row(ui, "color", "own colour: linear red, green, blue, 0 to 1", &mut color.0)
+        color_row(ui, "color", "own colour: linear red, green, blue, 0 to 1", &mut color.0, &COLOR)
     });
     edit::<Ambient>(ui, panel, entity, |ui, ambient| {
         share_row(
@@ -94,49 +95,8 @@ fn parts(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
     });
 }
 
-/// What an entity can have beyond that.
-fn effects(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
-    let step = panel.scale / 300.0;
-    effect::<Gloss>(ui, panel, entity, "Gloss", |ui, gloss| {
-        let speed = relative(gloss.shininess.max(10.0));
-        share_row(ui, "specular", "share of the own colour in a highlight", &mut gloss.specular, &COEFFICIENT)
-            | number_row(
-                ui,
-                "shininess",
-                "Phong exponent: larger is a smaller highlight",
-                &mut gloss.shininess,
-                (&SHININESS, speed),
-            )
-    });
-    effect::<Mirror>(ui, panel, entity, "Mirror", |ui, mirror| {
-        share_row(ui, "reflection", "share of the light received that is added", &mut mirror.0, &COEFFICIENT)
-    });
-    let least = usual_falloff(panel.scale);
-    effect::<Falloff>(ui, panel, entity, "Falloff", |ui, falloff| {
-        let speed = relative(falloff.0.max(least));
-        let hover = "1/unit²: at distance d, exp(-d² falloff) of the light is left";
-        number_row(ui, "falloff", hover, &mut falloff.0, (&FALLOFF, speed))
-    });
-    effect::<SpotCone>(ui, panel, entity, "Cone", |ui, cone| {
-        point_row(
-            ui,
-            "target",
-            "the point that the axis runs through, in world units",
-            &mut cone.target,
-            step,
-        ) | number_row(
-            ui,
-            "cutoff",
-            "angle between axis and side, in degrees",
-            &mut cone.cutoff,
-            (&CUTOFF, 0.25),
-        )
-    });
-    missing(ui, panel, entity);
-}
-
 /// Shows a component, if it is there, and passes on what was changed.
-fn edit<C: Component + Clone + PartialEq>(
+pub(super) fn edit<C: Component + Clone + PartialEq>(
     ui: &mut Ui,
     panel: &mut Panel<'_>,
     entity: Entity,
@@ -149,7 +109,7 @@ fn edit<C: Component + Clone + PartialEq>(
 }
 
 /// A component that can be taken away again.
-fn effect<C: Component + Clone + PartialEq>(
+pub(super) fn effect<C: Component + Clone + PartialEq>(
     ui: &mut Ui,
     panel: &mut Panel<'_>,
     entity: Entity,
@@ -174,30 +134,8 @@ fn effect<C: Component + Clone + PartialEq>(
     }
 }
 
-/// Effects that the entity could have and has not.
-fn missing(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
-    let Ok(at) = panel.world.get_entity(entity) else { return };
-    let is_light = at.contains::<Light>();
-    let position = at.get::<Position>().map_or_else(Default::default, |position| position.0);
-    let target = position - glam::DVec3::Z * significant(panel.scale, 1);
-    ui.add_space(3.0);
-    row(ui, "add effect", "what the entity does not have costs nothing", |ui| {
-        if is_light {
-            offer(ui, panel, entity, "Falloff", Falloff(usual_falloff(panel.scale)));
-            offer(ui, panel, entity, "Cone", SpotCone { target, cutoff: 30.0 });
-        } else {
-            offer(ui, panel, entity, "Gloss", Gloss { specular: 0.3, shininess: 30.0 });
-            offer(ui, panel, entity, "Mirror", Mirror(0.3));
-        }
-    });
-}
-
-/// Half of the light is left at the distance of the camera's reference point.
-fn usual_falloff(distance: f64) -> f64 {
-    FALLOFF.nearest(significant(core::f64::consts::LN_2 / (distance * distance), 1)).unwrap_or(0.0)
-}
-
-fn offer<C: Component + Clone + PartialEq>(
+/// A button that gives an entity a component that it has not.
+pub(super) fn offer<C: Component + Clone + PartialEq>(
     ui: &mut Ui,
     panel: &mut Panel<'_>,
     entity: Entity,
@@ -231,7 +169,7 @@ fn others(ui: &mut Ui, world: &World, entity: Entity) {
     }
 }
 
-fn known() -> [TypeId; 17] {
+fn known() -> [TypeId; 31] {
     [
         TypeId::of::<Position>(),
         TypeId::of::<Order>(),
@@ -245,10 +183,24 @@ fn known() -> [TypeId; 17] {
         TypeId::of::<Diffuse>(),
         TypeId::of::<Gloss>(),
         TypeId::of::<Mirror>(),
+        TypeId::of::<Glass>(),
+        TypeId::of::<Absorption>(),
+        TypeId::of::<Velocity>(),
         TypeId::of::<Textured>(),
+        TypeId::of::<TextureFilter>(),
+        TypeId::of::<CheckerFilter>(),
         TypeId::of::<Light>(),
         TypeId::of::<Falloff>(),
         TypeId::of::<SpotCone>(),
+        TypeId::of::<LightColor>(),
+        TypeId::of::<Directional>(),
+        TypeId::of::<AreaLight>(),
+        TypeId::of::<Background>(),
+        TypeId::of::<Fog>(),
+        TypeId::of::<Aperture>(),
+        TypeId::of::<Shutter>(),
+        TypeId::of::<ExposureStops>(),
+        TypeId::of::<SrgbTransfer>(),
         TypeId::of::<bevy_ecs::entity_disabling::Disabled>(),
     ]
 }

@@ -6,7 +6,7 @@ use egui::emath::Numeric;
 use egui::{Align, DragValue, Id, Key, Layout, Slider, SliderClamping, Ui, vec2};
 use glam::DVec3;
 
-use crate::components::range::{COLOR, COORDINATE, Range};
+use crate::components::range::{COORDINATE, Range};
 
 use super::digits::{exact, parse, short};
 use super::name::bytes;
@@ -49,6 +49,19 @@ pub(super) fn whole(ui: &mut Ui, value: &mut u32, range: RangeInclusive<u32>) {
     };
     let drag = drag_value(ui, NUMBER, &mut limited);
     ui.add(drag.speed(0.25).max_decimals(0).custom_parser(parse));
+}
+
+/// A whole number in a row of its own.
+pub(super) fn whole_row(
+    ui: &mut Ui,
+    label: &str,
+    hover: &str,
+    value: &mut u32,
+    range: RangeInclusive<u32>,
+) -> bool {
+    let before = *value;
+    row(ui, label, hover, |ui| whole(ui, value, range));
+    *value != before
 }
 
 /// A value that is not touched by being shown, whatever it is.
@@ -111,11 +124,14 @@ pub(super) fn relative(value: f64) -> f64 {
 
 /// A point or direction in world units.
 pub(super) fn point_row(ui: &mut Ui, label: &str, hover: &str, point: &mut DVec3, speed: f64) -> bool {
-    row(ui, label, hover, |ui| {
-        let width = share_of_width(ui, 3.0);
-        let mut number = |value: &mut f64| number(ui, value, &COORDINATE, speed, width);
-        number(&mut point.x) | number(&mut point.y) | number(&mut point.z)
-    })
+    row(ui, label, hover, |ui| triple(ui, point, (&COORDINATE, speed)))
+}
+
+/// Three numbers beside each other.
+pub(super) fn triple(ui: &mut Ui, values: &mut DVec3, (range, speed): (&Range, f64)) -> bool {
+    let width = share_of_width(ui, 3.0);
+    let mut number = |value: &mut f64| number(ui, value, range, speed, width);
+    number(&mut values.x) | number(&mut values.y) | number(&mut values.z)
 }
 
 /// Width of one of so many equal parts of the rest of a row.
@@ -137,16 +153,11 @@ pub(super) fn share_row(ui: &mut Ui, label: &str, hover: &str, value: &mut f64, 
 }
 
 /// A colour: a swatch that opens a picker, and its three numbers.
-pub(super) fn color_row(ui: &mut Ui, label: &str, hover: &str, color: &mut DVec3) -> bool {
-    row(ui, label, hover, |ui| {
-        let picked = pick(ui, color);
-        let width = share_of_width(ui, 3.0);
-        let mut number = |value: &mut f64| number(ui, value, &COLOR, 0.005, width);
-        picked | number(&mut color.x) | number(&mut color.y) | number(&mut color.z)
-    })
+pub(super) fn color_row(ui: &mut Ui, label: &str, hover: &str, color: &mut DVec3, range: &Range) -> bool {
+    row(ui, label, hover, |ui| pick(ui, color) | triple(ui, color, (range, 0.005)))
 }
 
-/// The picker knows 8 bits a channel. A channel that it leaves as it is keeps all its digits.
+/// The picker knows 8 bits a channel. A channel that it leaves as it is keeps all its digits, and what is above 1.
 fn pick(ui: &mut Ui, color: &mut DVec3) -> bool {
     let before = bytes(*color);
     let mut after = before;

@@ -4,9 +4,12 @@
 //! [`Request`]s. It knows no window: `egui` hands it events and takes its shapes.
 
 mod accuracy;
+mod air;
 mod camera;
+mod camera_effects;
 mod components;
 mod digits;
+mod effects;
 mod entities;
 mod fields;
 mod figures;
@@ -139,6 +142,7 @@ fn sections(ui: &mut Ui, panel: &mut Panel<'_>) {
     section(ui, "Entities", true, |ui| entities::show(ui, panel));
     section(ui, "Selected", true, |ui| components::show(ui, panel));
     section(ui, "Camera", false, |ui| camera::show(ui, panel));
+    section(ui, "Surroundings", false, |ui| air::show(ui, panel));
     section(ui, "Picture", true, |ui| picture::show(ui, panel));
     section(ui, "Effects in use", false, |ui| figures::effects(ui, panel));
     section(ui, "Figures", false, |ui| figures::figures(ui, panel));

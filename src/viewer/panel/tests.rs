@@ -3,6 +3,7 @@
 mod accuracy;
 mod asking;
 mod editing;
+mod effects;
 mod listing;
 mod saving;
 mod screen;
