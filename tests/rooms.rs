@@ -125,7 +125,7 @@ const ROOMS: &[Room] = &[
             ("serde_json", Only(&["table.rs"])),
         ],
         rooms: &["components", "effects", "film", "geometry", "selfcheck", "systems", "trace"],
-        may: &[(Tolerance, Only(&["care.rs", "chooser.rs"]))],
+        may: &[(Tolerance, Only(&["care.rs", "cells.rs", "chooser.rs"]))],
     },
     Room {
         place: "src/cli",
