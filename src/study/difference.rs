@@ -21,7 +21,7 @@ impl Difference {
         if a.side() != b.side() || a.side() == 0 {
             return None;
         }
-        let channels = || a.pixels().iter().flatten().zip(b.pixels().iter().flatten());
+        let channels = || a.pixels().as_flattened().iter().zip(b.pixels().as_flattened().iter());
         let squares: f64 = channels().map(|(a, b)| (a - b) * (a - b)).sum();
         let pixels = f64::from(a.side()) * f64::from(a.side());
         let levels: Vec<u8> = a.to_rgb8().iter().zip(b.to_rgb8()).map(|(a, b)| a.abs_diff(b)).collect();
