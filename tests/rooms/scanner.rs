@@ -14,7 +14,7 @@ fn a_crate_in_a_wrong_room_is_found_with_its_place() {
     assert_eq!(
         findings,
         [
-            "src/geometry/ray.rs:3: names the crate bevy_ecs; src/geometry may name: glam, libm (in basis.rs only)"
+            "src/geometry/ray.rs:3: names the crate bevy_ecs; src/geometry may name: glam, libm (in basis.rs, unit.rs only)"
         ]
     );
 }
