@@ -159,6 +159,11 @@ pub(super) fn air_changed<T: Real>(
     !changed.is_empty() | backgrounds.differ() | fogs.differ() | is_left_over | is_switched
 }
 
+/// Whether a table of objects is out of date, as those say who measured them.
+pub(super) fn is_outdated<T: Real>(table: &'static str) -> impl Fn(Res<Tables<T>>) -> bool {
+    move |tables| tables.outdated.contains(table) || tables.is_in_old_unit(table)
+}
+
 /// Whether a table of this name was extracted in another unit than that of now.
 pub(super) fn in_old_unit<T: Real>(table: &'static str) -> impl Fn(Res<Tables<T>>) -> bool {
     move |tables| tables.is_in_old_unit(table)

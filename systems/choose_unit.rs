@@ -18,11 +18,20 @@ use super::problem::{Measure, WorldProblem};
 use super::shape_tables::Shape;
 use super::{Muted, Tables};
 
+/// Finds the least and the greatest length of objects with shape `S`, and notes that their table is out of date.
+pub(super) fn measure_objects<T: Real, S: Shape>(objects: Objects<S>, mut tables: ResMut<Tables<T>>) {
+    let mut extremes = Extremes::default();
+    extremes.objects(&objects);
+    tables.lengths.insert(S::NAME, extremes);
+    tables.outdated.insert(S::NAME);
+}
+
 /// Chooses the unit from the lengths that there are, whatever it was before; tables in another one are extracted anew.
 /// Where no unit holds them all, that is a problem of the World.
 pub(super) fn choose_unit<T: Real>(lengths: Lengths, mut tables: ResMut<Tables<T>>) {
     let mut problems = Vec::new();
-    if let Extremes { least: Some(least), greatest: Some(greatest) } = lengths.extremes() {
+    let all = tables.lengths.values().fold(lengths.extremes(), |all, &of_kind| all.and(of_kind));
+    if let Extremes { least: Some(least), greatest: Some(greatest) } = all {
         match Unit::holding(least.found, greatest.found, T::LENGTH_LIMIT) {
             Some(unit) if unit != tables.scene.unit => Arc::make_mut(&mut tables.scene).unit = unit,
             Some(_) => {}
@@ -50,13 +59,9 @@ type CameraData =
     (Entity, &'static CameraPose, &'static Lens, Option<&'static Aperture>, Option<&'static Shutter>);
 type AnyShape = Or<(With<Sphere>, With<Cube>, With<Pyramid>, With<Checkerboard>)>;
 
-/// Whatever has a length that the trace computes with.
+/// Whatever has a length that the trace computes with, but for objects.
 #[derive(SystemParam)]
 pub(super) struct Lengths<'w, 's> {
-    spheres: Objects<'w, 's, Sphere>,
-    cubes: Objects<'w, 's, Cube>,
-    pyramids: Objects<'w, 's, Pyramid>,
-    boards: Objects<'w, 's, Checkerboard>,
     lights: Query<'w, 's, LightData, With<Light>>,
     cameras: Query<'w, 's, CameraData>,
     velocities: Query<'w, 's, (Entity, &'static Velocity), AnyShape>,
@@ -66,10 +71,6 @@ pub(super) struct Lengths<'w, 's> {
 impl Lengths<'_, '_> {
     fn extremes(&self) -> Extremes {
         let mut extremes = Extremes::default();
-        extremes.objects(&self.spheres);
-        extremes.objects(&self.cubes);
-        extremes.objects(&self.pyramids);
-        extremes.objects(&self.boards);
         self.lights(&mut extremes);
         self.cameras(&mut extremes);
         extremes
@@ -114,13 +115,24 @@ impl Lengths<'_, '_> {
 }
 
 /// The least and the greatest length found so far; of those outside their ranges others will tell.
-#[derive(Default)]
-struct Extremes {
+#[derive(Clone, Copy, Default)]
+pub(super) struct Extremes {
     least: Option<Measure>,
     greatest: Option<Measure>,
 }
 
 impl Extremes {
+    /// Of both.
+    fn and(mut self, other: Self) -> Self {
+        if let Some(Measure { entity, value, found }) = other.greatest {
+            self.extent(entity, value, found);
+        }
+        if let Some(Measure { entity, value, found }) = other.least {
+            self.length(entity, value, found);
+        }
+        self
+    }
+
     fn objects<S: Shape>(&mut self, objects: &Objects<S>) {
         for (entity, shape, position) in objects {
             self.point(entity, "Position", position.0);

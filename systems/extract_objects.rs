@@ -34,6 +34,7 @@ pub(super) fn extract_objects<T: Real, S: ExtractShape<T>>(
     mut tables: ResMut<Tables<T>>,
 ) {
     tables.revision += 1;
+    tables.outdated.remove(S::NAME);
     let same_components = !edits.census.differs();
     if !(same_components && replace_rows(&edits, *muted, &mut tables)) {
         rebuild(&objects, &incomplete, *muted, &mut tables);

@@ -1,6 +1,6 @@
 //! What a frame leaves in the World: its tables and its picture.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use bevy_ecs::prelude::*;
@@ -13,6 +13,7 @@ use crate::geometry::{Real, Unit};
 use crate::trace::{CameraEffects, CameraRays, Counts, EffectCount, Kind, ObjectId, Refinement, SceneTables};
 
 use super::WorldProblem;
+use super::choose_unit::Extremes;
 use super::problem::lacking;
 use super::runs::Runs;
 
@@ -32,6 +33,10 @@ pub struct Tables<T: Real> {
     pub(super) runs: Runs,
     /// What is wrong, by the table that it keeps from being right.
     pub(super) problems: BTreeMap<&'static str, Vec<WorldProblem>>,
+    /// The least and the greatest length of objects, by their tables; not measured in double precision.
+    pub(super) lengths: BTreeMap<&'static str, Extremes>,
+    /// Tables of objects that changed since they were extracted; not noted in double precision.
+    pub(super) outdated: BTreeSet<&'static str>,
     /// The unit in which each table was extracted.
     units: BTreeMap<&'static str, Unit>,
 }

@@ -3,8 +3,9 @@
 //! ```text
 //! Stage::Control   control_camera   the moves that were asked for, if any
 //! Stage::Survey    survey_effects   always: one step an archetype
-//!                  choose_unit      always, but not in double precision: one step a length
-//! Stage::Extract   extract_objects  per shape kind, only if entities of that kind changed, came or went, or the unit did
+//! Stage::Extract   measure_objects  single precision: per shape kind, as extract_objects
+//!                  choose_unit      single precision: always, but it looks at lights and camera only
+//!                  extract_objects  per shape kind, only if entities of that kind changed, came or went, or the unit did
 //!                                   row by row where values changed in few of them
 //!                  extract_lights   only if lights changed, came or went, or the unit did
 //!                  extract_air      only if background or fog changed, came or went, or the unit did
@@ -52,8 +53,8 @@ use crate::components::{CameraInput, Checkerboard, Cube, Pyramid, Sampling, Snap
 use crate::geometry::Real;
 
 use build_trees::{build_trees, trees_are_lacking};
-use changes::{air_changed, in_old_unit, lights_changed, objects_changed};
-use choose_unit::choose_unit;
+use changes::{air_changed, in_old_unit, is_outdated, lights_changed, objects_changed};
+use choose_unit::{choose_unit, measure_objects};
 use control_camera::control_camera;
 use extract_air::extract_air;
 use extract_camera::extract_camera;
@@ -62,7 +63,7 @@ use extract_motion::{extract_motion, something_moves};
 use extract_objects::extract_objects;
 #[cfg(feature = "viewer")]
 use list_draws::{list_lights, list_objects};
-use shape_tables::Shape;
+use shape_tables::ExtractShape;
 use survey_effects::survey_effects;
 use trace::trace;
 
@@ -82,7 +83,7 @@ pub use workers::{Monitor, Workers, WorkersError};
 pub enum Stage {
     /// What was asked of the camera to its pose.
     Control,
-    /// Which effects entities ask for, and in what unit their lengths are kept.
+    /// Which effects entities ask for.
     Survey,
     /// World to tables.
     Extract,
@@ -186,24 +187,21 @@ fn add_control(schedule: &mut Schedule) {
 
 fn add_extract<T: Real>(schedule: &mut Schedule) {
     schedule.add_systems(survey_effects.in_set(Stage::Survey));
-    // In double precision every allowed length fits into the world unit.
-    if T::LENGTH_LIMIT < f64::LENGTH_LIMIT {
-        schedule.add_systems(choose_unit::<T>.in_set(Stage::Survey));
+    if has_unit::<T>() {
+        schedule.add_systems(choose_unit::<T>.in_set(Stage::Extract));
     }
+    add_objects::<T, Sphere>(schedule);
+    add_objects::<T, Cube>(schedule);
+    add_objects::<T, Pyramid>(schedule);
+    add_objects::<T, Checkerboard>(schedule);
     schedule.add_systems(
         (
-            extract_objects::<T, Sphere>
-                .run_if(objects_changed::<Sphere>.or_eager(in_old_unit::<T>(Sphere::NAME))),
-            extract_objects::<T, Cube>.run_if(objects_changed::<Cube>.or_eager(in_old_unit::<T>(Cube::NAME))),
-            extract_objects::<T, Pyramid>
-                .run_if(objects_changed::<Pyramid>.or_eager(in_old_unit::<T>(Pyramid::NAME))),
-            extract_objects::<T, Checkerboard>
-                .run_if(objects_changed::<Checkerboard>.or_eager(in_old_unit::<T>(Checkerboard::NAME))),
             extract_lights::<T>.run_if(lights_changed.or_eager(in_old_unit::<T>("Light"))),
             extract_air::<T>.run_if(air_changed::<T>.or_eager(in_old_unit::<T>("Air"))),
             extract_camera::<T>,
         )
-            .in_set(Stage::Extract),
+            .in_set(Stage::Extract)
+            .after(choose_unit::<T>),
     );
     // It names rows and asks for the shutter, so it waits until they are there.
     let motion = extract_motion::<T>.run_if(something_moves::<T>).in_set(Stage::Extract);
@@ -215,6 +213,23 @@ fn add_extract<T: Real>(schedule: &mut Schedule) {
             .after(extract_objects::<T, Pyramid>)
             .after(extract_objects::<T, Checkerboard>),
     );
+}
+
+/// Whether tables keep lengths in a unit of the scene's own: in double precision the world unit holds all that are allowed.
+fn has_unit<T: Real>() -> bool {
+    T::LENGTH_LIMIT < f64::LENGTH_LIMIT
+}
+
+/// The extraction of one kind of objects. What asks whether they changed is asked once: it looks at every one of them.
+fn add_objects<T: Real, S: ExtractShape<T>>(schedule: &mut Schedule) {
+    let extract = extract_objects::<T, S>.in_set(Stage::Extract).after(choose_unit::<T>);
+    if has_unit::<T>() {
+        let measure = measure_objects::<T, S>.in_set(Stage::Extract).before(choose_unit::<T>);
+        schedule.add_systems(measure.run_if(objects_changed::<S>));
+        schedule.add_systems(extract.run_if(is_outdated::<T>(S::NAME)));
+    } else {
+        schedule.add_systems(extract.run_if(objects_changed::<S>));
+    }
 }
 
 fn add_build<T: Real>(schedule: &mut Schedule) {

@@ -80,16 +80,25 @@ impl<T: Real> PyramidShape<T> {
         ((a * b).abs() <= little) | ((c * d).abs() <= little)
     }
 
-    /// Whether a level ray keeps so far away from the planes of side faces which it is parallel to that rounding cannot
-    /// have moved it to their other side: two roundings of the offset from the apex, one of each product and of the sum.
+    /// [`Convex::intersect`] of a ray along a side face: exactly, unless it is level and so far away from the planes which it
+    /// is parallel to that rounding cannot have moved it to their other side. There are two roundings of the offset from
+    /// the apex, one of each product and one of their sum.
     #[cold]
-    fn is_clear_of_parallels(&self, ray: &Ray<T>, to_apex: Vector<T>, sides: [(T, T); 4]) -> bool {
+    #[inline(never)]
+    fn intersect_along(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
+        let to_apex = self.apex - ray.origin;
+        let sides = SIDES.map(|side| self.side(ray, to_apex, side));
         let four = T::TWO * T::TWO;
         let is_clear = |((axis, _), (room, slope)): ((usize, bool), (T, T))| {
             let size = self.height * to_apex[axis].abs() + self.half_width * to_apex.z.abs();
             slope != T::ZERO || room.abs() > four * T::ULP * size
         };
-        ray.direction.z == T::ZERO && SIDES.into_iter().zip(sides).all(is_clear)
+        let is_certain = ray.direction.z == T::ZERO && SIDES.into_iter().zip(sides).all(is_clear);
+        match self.clip(ray, sides) {
+            Some(span) if is_certain && !span.is_close() => span.first_ahead(),
+            None if is_certain => None,
+            _ => self.intersect_exactly(ray),
+        }
     }
 
     /// [`Convex::intersect`] where rounding cannot tell: no line passes between two pyramids that touch.
@@ -142,11 +151,7 @@ impl<T: Real> Convex<T> for PyramidShape<T> {
         let to_apex = self.apex - ray.origin;
         let sides = SIDES.map(|side| self.side(ray, to_apex, side));
         let crossing = match self.clip(ray, sides) {
-            _ if self.is_along_side(ray, sides.map(|(_, slope)| slope))
-                && !self.is_clear_of_parallels(ray, to_apex, sides) =>
-            {
-                self.intersect_exactly(ray)
-            }
+            _ if self.is_along_side(ray, sides.map(|(_, slope)| slope)) => self.intersect_along(ray),
             Some(span) if span.is_close() => self.intersect_exactly(ray),
             span => span?.first_ahead(),
         }?;

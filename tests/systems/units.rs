@@ -5,7 +5,7 @@ use archetrace::components::{
     Sphere,
 };
 use archetrace::geometry::{Real, Unit};
-use archetrace::systems::{Tables, extract_schedule, frame_schedule, prepare};
+use archetrace::systems::{Stage, Tables, extract_schedule, frame_schedule, prepare};
 use bevy_ecs::prelude::*;
 use bevy_ecs::schedule::Schedule;
 
@@ -149,4 +149,31 @@ fn a_world_that_no_unit_holds_is_told_until_it_is_mended() {
     }
     world.despawn(star);
     assert_traced_same("mended", &before, &frame(&mut world, &mut schedule));
+}
+
+#[test]
+fn a_system_before_the_extraction_may_change_the_unit() {
+    fn grow(mut frames: Local<u32>, mut spheres: Query<&mut Sphere, With<Moon>>) {
+        *frames += 1;
+        for mut sphere in &mut spheres {
+            sphere.radius = if *frames == 1 { 3e11 } else { 20.0 };
+        }
+    }
+    let mut fresh = everything();
+    rise(&mut fresh);
+    let fresh = trace::<f32>(&mut fresh);
+    let mut world = everything();
+    rise(&mut world);
+    for mut sphere in world.query_filtered::<&mut Sphere, With<Moon>>().iter_mut(&mut world) {
+        sphere.radius = 1e-16;
+    }
+    prepare::<f32>(&mut world, workers(2));
+    let mut schedule = frame_schedule::<f32>();
+    schedule.add_systems(grow.before(Stage::Extract));
+    assert_traced_same("grown in its frame", &fresh, &frame(&mut world, &mut schedule));
+    for mut position in world.query_filtered::<&mut Position, With<Moon>>().iter_mut(&mut world) {
+        position.0 = -position.0 * 1e-9;
+    }
+    frame(&mut world, &mut schedule);
+    assert_eq!(unit::<f32>(&world), Unit::WORLD);
 }
