@@ -6,32 +6,44 @@
 #
 # Usage: benches/idle_effects.sh [EFFECT... [-- SCENE...]]
 # A program is built without each EFFECT; several in one word ("fog glass") are left out together, which is a harder test
-# than each alone. `all` stands for each effect there is. SCENE is a scene file or a picture of the gallery. Unless given: one
-# word of some effects, and some scenes.
+# than each alone: only if a scene pays more than 1 % for a word does each of its effects get a program of its own. SCENE is
+# a scene file or a picture of the gallery. Unless given: one word of some effects, and some scenes, which takes minutes.
+# `all` stands for every pair of an effect and a scene without it, for every scene file and the whole gallery: for the words
+# below, which hold each effect twice, each time beside others, so that whatever a scene asks for, some word tells of each
+# effect that it does not.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-small=32 large=128 bound=0.01
-left_out=()
-while (($# > 0)) && [[ $1 != -- ]]; do left_out+=("$1") && shift; done
+small=16 large=64 bound=0.01
+all_words=("gloss mirror falloff spot_cone" "texture texture_filter checker_filter light_color"
+    "directional area_light background fog" "glass absorption aperture exposure" "motion_blur srgb"
+    "gloss texture directional glass motion_blur" "mirror texture_filter area_light absorption srgb"
+    "falloff checker_filter background aperture" "spot_cone light_color fog exposure")
+words=()
+while (($# > 0)) && [[ $1 != -- ]]; do words+=("$1") && shift; done
 scenes=("${@:2}")
-((${#left_out[@]} > 0)) || left_out=("texture fog glass absorption")
-((${#scenes[@]} > 0)) || scenes=(plain mirror light_color background scenes/highlights.txt)
-if [[ ${left_out[*]} == all ]]; then
-    mapfile -t left_out < <(sed -n 's/.*Self::[A-Za-z]* => "\([a-z_]*\)",/\1/p' src/effects/effect.rs)
+is_all=0
+if [[ ${words[*]} == all ]]; then
+    is_all=1
+    words=("${all_words[@]}")
+    mapfile -t names < <(sed -n 's/.*Exhibit { *name: "\([a-z_]*\)".*/\1/p; s/^ *name: "\([a-z_]*\)",$/\1/p' \
+        scenes/gallery/exhibits.rs)
+    ((${#scenes[@]} > 0)) || scenes=("${names[@]}" scenes/*.txt)
 fi
+((${#words[@]} > 0)) || words=("texture fog glass absorption")
+((${#scenes[@]} > 0)) || scenes=(plain mirror light_color background scenes/highlights.txt)
 
 # The crates below are those of the tests, so that nothing but this crate is built anew; its own code is made as for a release.
-settings=(opt-level=3 debug=false debug-assertions=false overflow-checks=false)
+settings=(opt-level=3 codegen-units=4 debug=false debug-assertions=false overflow-checks=false)
 programs=target/idle_effects
 mkdir -p "$programs"
 
-# Builds a program without some effects, and prints its path.
+# Builds a program without some effects; its path is in `built` then.
 program() {
-    local built made="$programs/${1// /+}"
-    built=$(ARCHETRACE_WITHOUT=$1 cargo build --quiet --locked --bench idle_effects --message-format=json \
-        "${settings[@]/#/--config=profile.dev.package.archetrace.}")
-    cp "$(sed -n 's/.*"name":"idle_effects".*"executable":"\([^"]*\)".*/\1/p' <<<"$built" | tail -1)" "${made}_program"
-    echo "${made}_program"
+    local messages
+    built="$programs/without_${1// /+}"
+    messages=$(ARCHETRACE_WITHOUT=$1 CARGO_INCREMENTAL=0 cargo build --quiet --locked --bench idle_effects \
+        --message-format=json "${settings[@]/#/--config=profile.dev.package.archetrace.}")
+    cp "$(sed -n 's/.*"name":"idle_effects".*"executable":"\([^"]*\)".*/\1/p' <<<"$messages" | tail -1)" "$built"
 }
 
 instructions() {
@@ -45,38 +57,75 @@ a_pixel() {
     echo $(((high - low) / (large * large - small * small)))
 }
 
-asks_for_one_of() {
-    local asked effect
-    asked=" $("$whole" "$1") "
-    for effect in $2; do [[ $asked == *" $effect "* ]] && return 0; done
-    return 1
-}
-
 failures=0
 fail() {
     echo "idle_effects: $*" >&2
     failures=$((failures + 1))
 }
 
-# One row of the table: a scene, and what the program costs it beyond that of a program without some effects.
-compare() {
-    local scene=$1 effects=$2 less=$3 with without
-    if asks_for_one_of "$scene" "$effects"; then
-        "$less" $small "$scene" >/dev/null 2>&1 && fail "$scene is traced without $effects"
-        return 0
-    fi
-    [[ $("$whole" $small "$scene") == "$("$less" $small "$scene")" ]] || fail "$scene is another picture without $effects"
-    with=$(a_pixel "$whole" "$scene") without=$(a_pixel "$less" "$scene")
-    printf '| %s | %s | %d | %d | %s |\n' "$effects" "$scene" "$with" "$without" \
-        "$(awk "BEGIN { printf \"%+.2f %%\", 100 * ($with / $without - 1) }")"
-    awk "BEGIN { exit !($with <= $without * (1 + $bound)) }" || fail "$scene pays more than 1 % for $effects"
+# Whether one of some effects is among others.
+meets() {
+    local effect
+    for effect in $1; do [[ " $2 " == *" $effect "* ]] && return 0; done
+    return 1
 }
 
-whole=$(program "")
+# Whether all of them are.
+is_within() {
+    local effect
+    for effect in $1; do [[ " $2 " == *" $effect "* ]] || return 1; done
+}
+
+# What a scene asks for, what the program as it is takes for it, and the effects that are known to cost it nothing.
+declare -A asked full idle
+
+# One row of the table: a scene, and what the program costs it beyond that of one without some effects. Succeeds unless
+# that is too much.
+compare() {
+    local scene=$1 effects=$2 less=$3 without
+    [[ $("$whole" $small "$scene") == "$("$less" $small "$scene")" ]] || fail "$scene is another picture without $effects"
+    without=$(a_pixel "$less" "$scene")
+    printf '| %s | %s | %d | %d | %s |\n' "$effects" "$scene" "${full[$scene]}" "$without" \
+        "$(awk "BEGIN { printf \"%+.2f %%\", 100 * (${full[$scene]} / $without - 1) }")"
+    awk "BEGIN { exit !(${full[$scene]} <= $without * (1 + $bound)) }"
+}
+
+# Holds every scene against a program without some effects; those that pay for them are held against each alone.
+try() {
+    local effects=$1 less scene paying=()
+    program "$effects" && less=$built
+    for scene in "${scenes[@]}"; do
+        if meets "$effects" "${asked[$scene]}"; then
+            "$less" $small "$scene" >/dev/null 2>&1 && fail "$scene is traced without $effects"
+        elif is_within "$effects" "${idle[$scene]}"; then
+            :
+        elif compare "$scene" "$effects" "$less"; then
+            idle[$scene]+=" $effects"
+        else
+            paying+=("$scene")
+        fi
+    done
+    for scene in "${paying[@]}"; do
+        [[ $effects == *" "* ]] || fail "$scene pays more than 1 % for $effects"
+    done
+    if ((${#paying[@]} > 0)) && [[ $effects == *" "* ]]; then
+        local scenes=("${paying[@]}") effect
+        for effect in $effects; do try "$effect"; done
+    fi
+}
+
+program "" && whole=$built
+for scene in "${scenes[@]}"; do
+    asked[$scene]=$("$whole" "$scene") full[$scene]=$(a_pixel "$whole" "$scene") idle[$scene]=""
+done
 echo '| without | scene | instructions a pixel | without it | difference |'
 echo '|---|---|---|---|---|'
-for effects in "${left_out[@]}"; do
-    less=$(program "$effects")
-    for scene in "${scenes[@]}"; do compare "$scene" "$effects" "$less"; done
-done
+for effects in "${words[@]}"; do try "$effects"; done
+if ((is_all)); then
+    for scene in "${scenes[@]}"; do
+        for effect in ${all_words[*]:0:5}; do
+            meets "$effect" "${asked[$scene]} ${idle[$scene]}" || fail "$scene: nothing tells what $effect costs"
+        done
+    done
+fi
 exit $((failures > 0))

@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::components::{CameraPose, Checkerboard, Cube, Light, Position, Precision, Pyramid, Sphere};
 use crate::geometry::Real;
 use crate::study::{Ablation, EffectPrice, Removal, Setting, ablate, draw_bars};
-use crate::systems::{Workers, carriers_of, prepare};
+use crate::systems::{FrameError, Workers, carriers_of, prepare};
 use crate::whole_file::{check_writable, write_whole};
 
 use super::args::EffectsArgs;
@@ -29,6 +29,15 @@ pub(super) fn effects(args: &EffectsArgs) -> Result<(), CliError> {
         Precision::F64 => report::<f64>(args, setting, world),
         Precision::F32 => report::<f32>(args, setting, world),
     }
+}
+
+/// What `archetrace effects` prints, for a World that was built in code and is [prepared](prepare) for this precision: who asks
+/// for which effect, what each adds in rays, rows, bytes and milliseconds over so many rounds, and what is absent.
+pub fn effects_report<T: Real>(world: &mut World, rounds: u32) -> Result<String, FrameError> {
+    let start = Instant::now();
+    let ablation = ablate::<T>(world, rounds, || start.elapsed().as_secs_f64() * 1e3, |_, _| ())?;
+    let rows: Vec<Row> = ablation.effects.iter().map(|price| Row::new(price, world, None)).collect();
+    Ok(table(&ablation, &rows).unwrap_or_default())
 }
 
 fn report<T: Real>(args: &EffectsArgs, setting: Setting, mut world: World) -> Result<(), CliError> {

@@ -31,6 +31,8 @@ use crate::whole_file::WriteError;
 
 use args::{Args, Command};
 
+pub use effects::effects_report;
+
 /// Runs the program on the arguments of the process. Status 0: done; 1: it could not be done, and standard error
 /// says why; 2: the arguments make no sense.
 pub fn run() -> ExitCode {

@@ -2,7 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use archetrace::cli::effects_report;
+use archetrace::components::{CameraPose, Fog, Lens, Mirror, Position, Snapshot, Sphere};
 use archetrace::effects::Effect;
+use archetrace::systems::{Workers, prepare};
+use bevy_ecs::prelude::World;
+use glam::DVec3;
 use serde_json::Value;
 
 use crate::program::{Folder, SCENE};
@@ -162,4 +167,19 @@ fn the_kernel_with_every_effect_writes_the_same_bytes() {
         tried += 1;
     }
     assert!(tried >= 15, "{tried} scenes");
+}
+
+#[test]
+fn a_world_built_in_code_is_reported_on_as_well() {
+    let mut world = World::new();
+    world.spawn((CameraPose::default(), Lens { near: 1.0, far: 1000.0, fovy: 60.0, aspect: 1.0 }));
+    world.spawn((Sphere { radius: 20.0 }, Position::new(0.0, 0.0, 50.0), Mirror(0.5)));
+    world.spawn(Fog { density: 0.01, color: DVec3::ONE });
+    world.insert_resource(Snapshot { pixels: 16, level: 3 });
+    prepare::<f32>(&mut world, Workers::new(None).unwrap());
+    let report = effects_report::<f32>(&mut world, 1).unwrap();
+    assert!(report.contains("\nfog\n  asked for by  entity\n"), "{report}");
+    assert!(report.contains("\nmirror\n  asked for by  sphere at 0 0 50\n"), "{report}");
+    world.spawn(Fog { density: 0.01, color: DVec3::ONE });
+    assert!(effects_report::<f32>(&mut world, 1).is_err(), "there are two");
 }
