@@ -10,7 +10,9 @@ const ELSEWHERE: EffectSet = EffectSet::of(&[Effect::MotionBlur, Effect::Srgb]);
 ///
 /// A kernel between the first two, with gloss and mirrors alone, saved 1.3 % of the instructions of a picture that asks for
 /// no more, and is not worth its copies; the first saves 4.7 % of one that asks for nothing. Glass is the one effect that
-/// costs more than 1 % where nobody asks for it (2.5 %), for it makes two rays of one: hence a kernel without.
+/// costs more than 1 % where nobody asks for it (2.5 %), for it makes two rays of one: hence a kernel without. More of
+/// them are not needed: what few scenes ask for lies in functions of its own, and what is left is a test for each.
+/// `benches/idle_effects.sh` holds that against programs that have no code for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kernel {
     /// Coloured surfaces under plain lights, in packets.
