@@ -114,24 +114,32 @@ fn shuffled(world: &mut World, seed: u64, keep: impl Fn(Order) -> Option<Order>)
 
 #[test]
 fn the_order_of_spawning_does_not_show() {
-    let case = full_case();
-    let usual = picture::<f64>(&case);
-    for seed in 1..=4 {
-        let mut other = shuffled(&mut case.world(), seed, Some);
-        let name = format!("spawned in order {seed}");
-        assert_same(&name, &usual, &trace::<f64>(&mut other).picture);
+    fn check<T: Real>() {
+        let case = full_case();
+        let usual = picture::<T>(&case);
+        for seed in 1..=4 {
+            let mut other = shuffled(&mut case.world(), seed, Some);
+            let name = format!("{} spawned in order {seed}", T::NAME);
+            assert_same(&name, &usual, &trace::<T>(&mut other).picture);
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn without_order_the_order_of_spawning_does_not_show_either() {
-    let case = full_case();
-    let usual = trace::<f64>(&mut shuffled(&mut case.world(), 0, |_| None)).picture;
-    for seed in 1..=4 {
-        let mut other = shuffled(&mut case.world(), seed, |_| None);
-        let name = format!("without Order, spawned in order {seed}");
-        assert_same(&name, &usual, &trace::<f64>(&mut other).picture);
+    fn check<T: Real>() {
+        let case = full_case();
+        let usual = trace::<T>(&mut shuffled(&mut case.world(), 0, |_| None)).picture;
+        for seed in 1..=4 {
+            let mut other = shuffled(&mut case.world(), seed, |_| None);
+            let name = format!("{} without Order, spawned in order {seed}", T::NAME);
+            assert_same(&name, &usual, &trace::<T>(&mut other).picture);
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
@@ -161,16 +169,20 @@ fn twins_without_order_show_the_same_whichever_was_first() {
 
 #[test]
 fn despawning_and_spawning_again_does_not_show() {
-    let case = full_case();
-    let mut world = case.world();
-    let entities = scene_entities(&mut world);
-    for entity in entities.into_iter().step_by(2) {
-        let parts = Parts::of(world.entity(entity));
-        world.despawn(entity);
-        parts.spawn(&mut world);
+    fn check<T: Real>() {
+        let case = full_case();
+        let mut world = case.world();
+        let entities = scene_entities(&mut world);
+        for entity in entities.into_iter().step_by(2) {
+            let parts = Parts::of(world.entity(entity));
+            world.despawn(entity);
+            parts.spawn(&mut world);
+        }
+        let other = trace::<T>(&mut world).picture;
+        assert_same("despawned and spawned again", &picture::<T>(&case), &other);
     }
-    let other = trace::<f64>(&mut world).picture;
-    assert_same("despawned and spawned again", &picture::<f64>(&case), &other);
+    check::<f64>();
+    check::<f32>();
 }
 
 #[derive(Component)]

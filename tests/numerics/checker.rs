@@ -50,6 +50,10 @@ fn c08_beyond_64_bit_integers_a_float_is_even() {
         assert!(!is_odd(x, 1.0) && !is_odd(-x, 1.0), "{x}");
     }
     assert!(is_odd(9_007_199_254_740_991.0, 1.0));
+    for x in [16_777_216.0_f32, 1e18, 1e38] {
+        assert!(!is_odd(x, 1.0) && !is_odd(-x, 1.0), "{x}");
+    }
+    assert!(is_odd(16_777_215.0_f32, 1.0));
 }
 
 /// Parity against the exact floor with no tolerance, and the rest against the exact rest.

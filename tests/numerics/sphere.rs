@@ -1,11 +1,11 @@
 //! The sphere: 22 truths to 25 digits, and random rays from a pebble at the horizon to a planet underfoot.
 
 use archetrace::components::range;
-use archetrace::geometry::{Convex, Ray, Side, SphereShape, Vector};
+use archetrace::geometry::{Convex, Ray, Side, SphereShape, SurfacePoint, Vector};
 use glam::DVec3;
 
 use crate::oracle::{Ball, Exact, ExactRay, ExactVector, decimal, nearest, relative_error};
-use crate::precision::{Precision, ray};
+use crate::precision::{Precision, bits, ray};
 use crate::textbook;
 use crate::worst::Worst;
 use archetrace::selfcheck::Random;
@@ -192,16 +192,25 @@ fn s06b_a_millionth_above_a_planet() {
 
 #[test]
 fn s20_scaled_by_a_power_of_two_only_the_exponent_changes() {
-    let at = |scale: f64| {
-        let shape = sphere(DVec3::ZERO, scale);
-        let ray = ray::<f64>(DVec3::new(-5.0, 0.25, 0.0) * scale, DVec3::X);
-        shape.intersect(&ray).unwrap().t / scale
-    };
+    /// The hit as it is without the scale: distance, point, normal.
+    fn at<T: Precision>(scale: f64) -> (u64, [u64; 3], [u64; 3]) {
+        let shape = SphereShape { center: Vector::default(), radius: T::from_f64(scale) };
+        let ray = ray::<T>(DVec3::new(-5.0, 0.25, 0.0) * scale, DVec3::X);
+        let crossing = shape.intersect(&ray).unwrap();
+        assert_eq!((crossing.side, crossing.face), (Side::Outside, 0));
+        let SurfacePoint { point, normal } = shape.locate(&ray, &crossing);
+        let scale = T::from_f64(scale);
+        ((crossing.t / scale).bits(), bits(point / scale), bits(normal))
+    }
     for exponent in [-100, -60, 60, 100] {
-        assert_eq!(at(2.0_f64.powi(exponent)).bits(), at(1.0).bits(), "2^{exponent}");
+        assert_eq!(at::<f64>(2.0_f64.powi(exponent)), at::<f64>(1.0), "2^{exponent}");
+    }
+    // Further off, single numbers end; tables are in a unit of their own.
+    for exponent in [-20, 20] {
+        assert_eq!(at::<f32>(2.0_f64.powi(exponent)), at::<f32>(1.0), "2^{exponent}");
     }
     let truth = decimal("3.180493239006287466201229e-30");
-    let tiny = at(2.0_f64.powi(-100)) * 2.0_f64.powi(-100);
+    let tiny = f64::from_bits(at::<f64>(2.0_f64.powi(-100)).0) * 2.0_f64.powi(-100);
     assert!(relative_error(tiny, &truth) <= BOUND * f64::EPSILON);
 }
 
@@ -227,12 +236,21 @@ fn s22_the_smallest_and_largest_allowed_sphere_keep_all_digits() {
 
 #[test]
 fn s23_minus_zero_and_denormal_components_count_as_zero() {
-    let shape = sphere(DVec3::ZERO, 1.0);
-    let at = |direction: DVec3| shape.intersect(&ray::<f64>(DVec3::new(-5.0, 0.25, 0.0), direction));
-    let straight = at(DVec3::X).unwrap();
-    for other in [DVec3::new(1.0, -0.0, 5e-324), DVec3::new(1.0, 0.0, -0.0), DVec3::new(1.0, -5e-324, 0.0)] {
-        assert_eq!(at(other).unwrap().t.bits(), straight.t.bits(), "{other}");
+    fn check<T: Precision>(least: f64) {
+        let shape = SphereShape { center: Vector::default(), radius: T::ONE };
+        let at = |direction: DVec3| {
+            let ray = ray::<T>(DVec3::new(-5.0, 0.25, 0.0), direction);
+            let crossing = shape.intersect(&ray).unwrap();
+            let SurfacePoint { point, normal } = shape.locate(&ray, &crossing);
+            (crossing.t.bits(), crossing.side, [point.x, point.y, normal.x, normal.y].map(T::bits))
+        };
+        for (y, z) in [(-0.0, least), (0.0, -0.0), (-least, 0.0)] {
+            // The third coordinates are as small as that.
+            assert!(at(DVec3::new(1.0, y, z)) == at(DVec3::X), "{}: {y:e} {z:e}", T::NAME);
+        }
     }
+    check::<f64>(5e-324);
+    check::<f32>(f64::from(f32::from_bits(1)));
 }
 
 #[test]

@@ -133,15 +133,20 @@ fn l08_vectors_along_the_axis_are_inside_however_their_product_rounds() {
 
 #[test]
 fn l09_a_hundredth_of_a_degree_is_kept_to_a_billionth_of_itself() {
-    let random = &mut Random::new(0x1_0900);
-    let angle = 0.01_f64.to_radians();
-    for _ in 0..1_000 {
-        let axis = random.direction();
-        let across = random.across(axis);
-        let cone = cone::<f64>(axis, 0.01);
-        let inside = |angle| cone.contains(Vector::from_dvec3(aside(axis, across, angle)));
-        assert!(inside(angle * (1.0 - 1e-9)) && !inside(angle * (1.0 + 1e-9)));
+    fn check<T: Precision>(slip: f64) {
+        let random = &mut Random::new(0x1_0900);
+        let angle = 0.01_f64.to_radians();
+        for _ in 0..1_000 {
+            let axis = random.direction();
+            let across = random.across(axis);
+            let cone = cone::<T>(axis, 0.01);
+            let inside = |angle| cone.contains(Vector::from_dvec3(aside(axis, across, angle)));
+            assert!(inside(angle - slip) && !inside(angle + slip), "{}", T::NAME);
+        }
     }
+    check::<f64>(1e-9 * 0.01_f64.to_radians());
+    // Rounding two directions to single numbers moves each by up to an epsilon.
+    check::<f32>(2.0 * f64::from(f32::EPSILON));
 }
 
 #[test]
