@@ -10,7 +10,7 @@ use crate::components::{Background, CameraPose, Fog};
 use crate::viewer::editor::significant;
 
 use super::Panel;
-use super::components::{effect, offer};
+use super::component::{effect, offer};
 use super::fields::{color_row, number_row, relative, row};
 
 /// Background and fog, whichever entity has them. What is not there can be given to the camera: a scene has one.

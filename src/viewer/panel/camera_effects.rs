@@ -8,7 +8,7 @@ use crate::components::{Aperture, ExposureStops, Shutter, SrgbTransfer};
 use crate::viewer::editor::significant;
 
 use super::Panel;
-use super::components::{effect, offer};
+use super::component::{effect, offer};
 use super::fields::{length_row, number_row, row};
 
 /// Every effect that the camera has, and buttons for the others.

@@ -13,6 +13,7 @@ use crate::components::{
 };
 
 use super::Panel;
+use super::component::edit;
 use super::effects;
 use super::fields::{color_row, length_row, point_row, row, share_row};
 use super::name::{Kind, name_of};
@@ -93,61 +94,6 @@ fn parts(ui: &mut Ui, panel: &mut Panel<'_>, entity: Entity) {
     edit::<Diffuse>(ui, panel, entity, |ui, diffuse| {
         share_row(ui, "diffuse", "share of the own colour that shows by light", &mut diffuse.0, &COEFFICIENT)
     });
-}
-
-/// Shows a component, if it is there, and passes on what was changed.
-pub(super) fn edit<C: Component + Clone + PartialEq>(
-    ui: &mut Ui,
-    panel: &mut Panel<'_>,
-    entity: Entity,
-    rows: impl FnOnce(&mut Ui, &mut C) -> bool,
-) {
-    let Some(mut value) = panel.world.get::<C>(entity).cloned() else { return };
-    if rows(ui, &mut value) {
-        panel.editor.change(panel.world, entity, Some(value));
-    }
-}
-
-/// A component that can be taken away again.
-pub(super) fn effect<C: Component + Clone + PartialEq>(
-    ui: &mut Ui,
-    panel: &mut Panel<'_>,
-    entity: Entity,
-    name: &str,
-    rows: impl FnOnce(&mut Ui, &mut C) -> bool,
-) {
-    if panel.world.get::<C>(entity).is_none() {
-        return;
-    }
-    ui.add_space(3.0);
-    let removed = ui.horizontal(|ui| {
-        ui.label(name);
-        let right = Layout::right_to_left(Align::Center);
-        let button = |ui: &mut Ui| ui.small_button("×").on_hover_text(format!("remove {name}")).clicked();
-        ui.with_layout(right, button).inner
-    });
-    edit(ui, panel, entity, rows);
-    if removed.inner {
-        panel.editor.end_gesture();
-        panel.editor.change::<C>(panel.world, entity, None);
-        panel.editor.end_gesture();
-    }
-}
-
-/// A button that gives an entity a component that it has not.
-pub(super) fn offer<C: Component + Clone + PartialEq>(
-    ui: &mut Ui,
-    panel: &mut Panel<'_>,
-    entity: Entity,
-    name: &str,
-    value: C,
-) {
-    let is_missing = panel.world.get::<C>(entity).is_none();
-    if ui.add_enabled(is_missing, egui::Button::new(name).small()).clicked() {
-        panel.editor.end_gesture();
-        panel.editor.change(panel.world, entity, Some(value));
-        panel.editor.end_gesture();
-    }
 }
 
 /// Components that the panel does not edit: images, and those of a program's own, by name.

@@ -14,7 +14,7 @@ use crate::components::{
 use crate::viewer::editor::significant;
 
 use super::Panel;
-use super::components::{effect, offer};
+use super::component::{effect, offer};
 use super::fields::{
     color_row, length_row, number_row, point_row, relative, row, share_row, triple, whole_row,
 };

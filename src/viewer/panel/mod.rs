@@ -7,6 +7,7 @@ mod accuracy;
 mod air;
 mod camera;
 mod camera_effects;
+mod component;
 mod components;
 mod digits;
 mod effects;
