@@ -14,7 +14,7 @@ static TURN: Mutex<()> = Mutex::new(());
 /// Minutes of work, unless somebody ends it; back when the tracing has begun.
 fn long_render(folder: &Folder) -> Child {
     let child = Command::new(PROGRAM)
-        .args("render scene.txt -o big.bmp --size 8192 --level 3 --stats big.json".split(' '))
+        .args("render scene.txt -o big.bmp --size 8192 --samples 256 --level 3 --stats big.json".split(' '))
         .current_dir(folder.path(""))
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
