@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::film::Film;
 use crate::geometry::Real;
-use crate::trace::{Counts, Exposure, RefinedBand, Refinement};
+use crate::trace::{BandAround, Counts, Exposure, RefinedBand, Refinement};
 
 use super::{Monitor, Workers};
 
@@ -48,10 +48,16 @@ pub fn trace_adaptive<T: Real>(
             })
         });
         if first == 0 && total > 1 && !monitor.is_cancelled() {
-            monitor.tile_done(refinement.look_around(film) * later);
+            monitor.tile_done(look_around(&mut refinement, film, workers) * later);
         }
         first = next;
     }
     refinement.divide(film);
     (counts, refinement)
+}
+
+/// Lets the pixels go that what is around them says enough of. Returns how many.
+fn look_around(refinement: &mut Refinement, film: &Film, workers: &Workers) -> u64 {
+    let mut bands: Vec<_> = refinement.bands_around(film).collect();
+    workers.pool.install(|| bands.par_iter_mut().map(BandAround::look).sum())
 }

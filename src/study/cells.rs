@@ -83,15 +83,10 @@ impl Cells {
         Guess { mean: sum / channels, deviation: self.deviation(&sums) / channels }
     }
 
-    /// How many times as many rays one takes for the whole picture as the other, by how many times as many it takes for
-    /// the windows.
-    pub(super) fn rays_missed(&self, a: &Glimpse, b: &Glimpse) -> f64 {
-        let share = |glimpse: &Glimpse| {
-            let rays: Vec<f64> = glimpse.counts.iter().map(|counts| whole(counts.rays.total())).collect();
-            self.weighed(&rays).sum::<f64>() / rays.iter().sum::<f64>().max(1.0)
-        };
-        let (a, b) = (share(a), share(b));
-        if b > 0.0 { a / b } else { 1.0 }
+    /// How many times as many rays one takes for the whole picture as the other.
+    pub(super) fn times_the_rays(&self, a: &Glimpse, b: &Glimpse) -> f64 {
+        let sum = |glimpse: &Glimpse| self.weighed(&rays(glimpse)).sum::<f64>();
+        sum(a) / sum(b).max(1.0)
     }
 
     fn weighed(&self, sums: &[f64]) -> impl Iterator<Item = f64> {
@@ -112,6 +107,15 @@ impl Cells {
         let squares = self.weighed(sums).zip(doubts()).map(|(sum, doubt)| doubt * (sum - center).powi(2));
         (squares.sum::<f64>() * number / (number - 1.0)).sqrt()
     }
+}
+
+/// Milliseconds that windows took for a ray.
+pub(super) fn price_of_ray(glimpse: &Glimpse) -> f64 {
+    glimpse.milliseconds / rays(glimpse).iter().sum::<f64>().max(1.0)
+}
+
+fn rays(glimpse: &Glimpse) -> Vec<f64> {
+    glimpse.counts.iter().map(|counts| whole(counts.rays.total())).collect()
 }
 
 /// All cells of a picture: columns and rows. Those at its right and bottom may be narrower.

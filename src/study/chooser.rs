@@ -8,8 +8,8 @@ use crate::components::Precision;
 use crate::film::Film;
 use crate::systems::FrameError;
 
-use super::cells::Cells;
-use super::{Difference, Glimpse, Lab, Setting, Shot};
+use super::cells::{Cells, price_of_ray};
+use super::{Difference, Glimpse, Lab, Setting, Shot, Spread};
 
 /// What somebody wants of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,8 +78,7 @@ const LOOK: u32 = 1024;
 const TRUTH: u32 = 13;
 /// How deep mirrors are followed there.
 const TRUTH_LEVEL: u32 = 64;
-/// How often the times of whole pictures and of cells are taken.
-const WHOLE_ROUNDS: u32 = 2;
+/// How often a time is taken, where it is short.
 const ROUNDS: u32 = 3;
 /// Share of a budget that is planned with, and decibels beyond a target: predictions are off by about as much.
 const CAUTION: f64 = 0.92;
@@ -147,20 +146,21 @@ impl Chooser {
         let plain = Setting { precision, ..plain };
         // 1. Whole pictures: what depths cost. Their errors do not mix with those of sampling.
         let deep = Setting { level: start.level.max(TRUTH_LEVEL), cutoff: 1.0 / 65536.0, ..plain };
-        let reference = lab.shoot(deep, clock)?.film;
+        let reference = lab.shoot(deep, clock)?;
         let mut depths = Vec::new();
         for setting in self.depths(plain) {
-            depths.push(Depth::of(lab, setting, &reference, clock)?);
+            depths.push(Depth::of(lab, setting, &reference.film, clock)?);
         }
-        // 2. Cells where errors are to be expected, and the truth there.
+        // 2. Cells where errors are to be expected, what it takes to know that, and the truth there.
         let met = lab.shoot(Setting { threshold: Some(f64::INFINITY), ..deep }, clock)?;
         let errors = met.refinement.map(|refinement| refinement.expected_errors(&met.film));
         let cells = Cells::draw(start.pixels, plain.pixels, &errors.unwrap_or_default());
         let deep = Setting { pixels: start.pixels, ..deep };
         let truth = lab.glimpse(Setting { side: TRUTH, ..deep }, cells.windows(), clock)?;
+        let one = lab.glimpse(deep, cells.windows(), clock)?;
         // 3. Samplings there, at the depth of the truth.
         let scale = (f64::from(start.pixels) / f64::from(plain.pixels.max(1))).powi(2);
-        let mut first = None;
+        let care = (met.milliseconds - reference.milliseconds).max(0.0) * scale;
         let mut points: Vec<FrontPoint> = Vec::new();
         for (side, threshold) in SAMPLINGS {
             let least = depths.iter().map(|depth| depth.milliseconds).fold(f64::INFINITY, f64::min) * scale;
@@ -168,13 +168,16 @@ impl Chooser {
                 continue;
             }
             let glimpse = glance(lab, Setting { side, threshold, ..deep }, &cells, clock)?;
-            let one = first.get_or_insert_with(|| glimpse.clone());
-            let times = glimpse.milliseconds / one.milliseconds.max(f64::MIN_POSITIVE);
-            let times = times * cells.rays_missed(&glimpse, one) * scale;
+            // Rays of a few samples here and there cost more than those of a whole picture.
+            let (scatter, care) = match threshold {
+                Some(_) => (price_of_ray(&glimpse) / price_of_ray(&truth).max(f64::MIN_POSITIVE), care),
+                None => (1.0, 0.0),
+            };
+            let times = cells.times_the_rays(&glimpse, &one) * scatter.max(1.0) * scale;
             let error = cells.mean_square(&glimpse, &truth);
             points.extend(depths.iter().map(|depth| FrontPoint {
                 setting: Setting { side, threshold, pixels: start.pixels, ..depth.setting },
-                milliseconds: depth.milliseconds * times,
+                milliseconds: depth.milliseconds * times + care,
                 rmse: (error.mean + depth.error).sqrt(),
                 rmse_bound: (error.mean + 2.0 * error.deviation + depth.error).sqrt(),
             }));
@@ -213,11 +216,12 @@ impl Depth {
         reference: &Film,
         clock: &mut dyn FnMut() -> f64,
     ) -> Result<Self, FrameError> {
-        let Shot { film, mut milliseconds, .. } = lab.shoot(setting, clock)?;
-        for _ in 1..WHOLE_ROUNDS {
-            milliseconds = milliseconds.min(lab.shoot(setting, clock)?.milliseconds);
+        let Shot { film, milliseconds, .. } = lab.shoot(setting, clock)?;
+        let mut times = vec![milliseconds];
+        for _ in 1..ROUNDS {
+            times.push(lab.shoot(setting, clock)?.milliseconds);
         }
-        Ok(Self { setting, milliseconds, error: mean_square(&film, reference) })
+        Ok(Self { setting, milliseconds: Spread::of(&times).median, error: mean_square(&film, reference) })
     }
 }
 
@@ -251,8 +255,8 @@ fn glance(
     clock: &mut dyn FnMut() -> f64,
 ) -> Result<Glimpse, FrameError> {
     let mut first = lab.glimpse(setting, cells.windows(), clock)?;
-    // What takes long is measured well enough at once.
-    let rounds = if setting.side > 5 { 1 } else { ROUNDS };
+    // What takes long is measured well enough at once, and uniform samples take as many times as long as they are.
+    let rounds = if setting.side > 5 || setting.threshold.is_none() { 1 } else { ROUNDS };
     for _ in 1..rounds {
         first.milliseconds =
             first.milliseconds.min(lab.glimpse(setting, cells.windows(), clock)?.milliseconds);

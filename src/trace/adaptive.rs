@@ -113,17 +113,11 @@ impl Refinement {
         pixels.map(|(column, row)| around.error(column, row)).collect()
     }
 
-    /// After the first sample: finds the pixels that want more, by what is around them. Returns how many do not.
-    pub fn look_around(&mut self, film: &Film) -> u64 {
-        let Self { side, threshold, trails, .. } = self;
+    /// After the first sample: the pixels of each band that want more, and what is around them.
+    pub fn bands_around<'a>(&'a mut self, film: &'a Film) -> impl Iterator<Item = BandAround<'a>> {
+        let Self { side, threshold, trails, wanting, .. } = self;
         let around = Around { side: *side, colors: film.pixels(), trails };
-        let mut done = 0;
-        for wanting in &mut self.wanting {
-            let before = wanting.len();
-            wanting.retain(|&[column, row]| around.error(column, row) > *threshold);
-            done += (before - wanting.len()) as u64;
-        }
-        done
+        wanting.iter_mut().map(move |wanting| BandAround { around, threshold: *threshold, wanting })
     }
 
     /// Makes means of the sums.
@@ -132,6 +126,24 @@ impl Refinement {
             let count = f64::from(samples.max(1));
             *pixel = pixel.map(|channel| channel / count);
         }
+    }
+}
+
+/// Some rows of a film of single samples, and what is around them.
+#[derive(Debug)]
+pub struct BandAround<'a> {
+    around: Around<'a>,
+    threshold: f64,
+    wanting: &'a mut Vec<[u32; 2]>,
+}
+
+impl BandAround<'_> {
+    /// Lets the pixels go that what is around them says enough of. Returns how many.
+    pub fn look(&mut self) -> u64 {
+        let Self { around, threshold, wanting } = self;
+        let before = wanting.len();
+        wanting.retain(|&[column, row]| around.error(column, row) > *threshold);
+        (before - wanting.len()) as u64
     }
 }
 
@@ -185,6 +197,7 @@ pub fn error_of_mean(sums: [f64; 3], squares: [f32; 3], samples: u16) -> f64 {
 }
 
 /// Single samples, and what is beside them.
+#[derive(Clone, Copy, Debug)]
 struct Around<'a> {
     side: u32,
     colors: &'a [[f64; 3]],

@@ -33,7 +33,7 @@ mod tile;
 mod trail;
 mod tree;
 
-pub use adaptive::{RefinedBand, Refinement, error_of_mean};
+pub use adaptive::{BandAround, RefinedBand, Refinement, error_of_mean};
 pub use air::Air;
 pub use camera::{CameraRay, CameraRays};
 pub use camera_effects::CameraEffects;
