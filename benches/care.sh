@@ -2,6 +2,8 @@
 # Prints README's table "The price of care": instructions a pixel of a textbook tracer and of this one, by valgrind.
 # Two sizes are subtracted, so that what a process costs by itself drops out. Usage: benches/care.sh [SCENE]
 set -euo pipefail
+# A program that valgrind cannot run has no figure, and so there is no table.
+shopt -s inherit_errexit
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scene=${1:-scenes/official.txt}
 small=64 large=128

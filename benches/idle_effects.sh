@@ -12,6 +12,8 @@
 # below, which hold each effect twice, each time beside others, so that whatever a scene asks for, some word tells of each
 # effect that it does not.
 set -euo pipefail
+# A program that valgrind cannot run has no figure, and so there is no table.
+shopt -s inherit_errexit
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 small=16 large=64 bound=0.01
 all_words=("gloss mirror falloff spot_cone" "texture texture_filter checker_filter light_color"

@@ -85,13 +85,15 @@ impl Fronts {
     /// Takes what was measured; returns whether anything was.
     fn collect(&mut self) -> bool {
         let Some(found) = &self.found else { return false };
-        let measured = found.try_recv();
-        if measured != Err(TryRecvError::Empty) {
-            self.found = None;
-            self.front.is_under_way = false;
+        let measured = match found.try_recv() {
+            Err(TryRecvError::Empty) => return false,
+            measured => measured.ok(),
+        };
+        (self.found, self.front.is_under_way) = (None, false);
+        let is_new = measured.is_some();
+        if let Some(points) = measured {
+            self.front.points = points;
         }
-        let is_new = measured.is_ok();
-        self.front.points = measured.unwrap_or_else(|_| std::mem::take(&mut self.front.points));
         is_new
     }
 }
