@@ -51,7 +51,8 @@ pub trait Real:
     /// `2^ceil(p/2) + 1` for a significand of `p` bits: splits a number into two halves (Dekker 1971).
     const SPLITTER: Self;
     /// Largest length or coordinate, and the inverse of the smallest length, for which no kernel overflows or
-    /// loses a product to underflow; in a [`Unit`](super::Unit) of the scene's own. The largest product formed is of fourth degree in lengths.
+    /// loses a product to underflow; in a [`Unit`](super::Unit) of the scene's own. The largest product formed is of fourth
+    /// degree in lengths.
     const LENGTH_LIMIT: f64;
     /// The name on the command line and in reports: `"f64"` or `"f32"`.
     const NAME: &'static str;
