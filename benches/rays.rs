@@ -190,7 +190,7 @@ fn locate<T: Real>(tables: &SceneTables<T>, hit: &Hit<T>, ray: &Ray<T>) -> Surfa
     }
 }
 
-/// Column and row of every pixel: tiles of 16 x 16, in them blocks of 4 x 4.
+/// Column and row of every pixel: tiles of 16 x 16, in them blocks of 4 x 4, two of which make a packet.
 fn pixels(side: u32) -> impl Iterator<Item = (u32, u32)> {
     let tiles = side.div_ceil(16);
     let square = |index: u32, side: u32| (index % side, index / side);

@@ -3,7 +3,7 @@
 use crate::geometry::Vector;
 
 use super::Trail;
-use super::packet::{BLOCK_SIDE, LANES, VectorLanes};
+use super::packet::{BLOCK, LANES, VectorLanes};
 
 /// Columns and rows in the film of pixels that are traced together.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +21,8 @@ impl PixelLanes {
     #[inline(always)]
     pub(super) fn rectangle((left, top): (u32, u32), (width, height): (u32, u32)) -> Self {
         // Nearly all are as wide as a block: a form without pushes, and rows written as slices, saved 3 % of a frame.
-        if width == BLOCK_SIDE {
-            return Self::rows_of::<BLOCK_SIDE>(left, top, height);
+        if width == BLOCK[0] {
+            return Self::rows_of::<{ BLOCK[0] }>(left, top, height);
         }
         let mut pixels = Self::NONE;
         for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {

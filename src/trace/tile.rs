@@ -5,7 +5,7 @@ use crate::film::FilmBand;
 use crate::geometry::Real;
 
 use super::kernel::has;
-use super::packet::{BLOCK_SIDE, Block, Bounds, LANES, Scratch};
+use super::packet::{BLOCK, Block, Bounds, LANES, Scratch};
 use super::pixels::{PixelLanes, PixelQueue, SampleLanes};
 use super::radiance::{Depth, radiance_of};
 use super::{CameraRays, Counts, Kernel, SampleGrid, SampleId, SceneTables, Simd, Trail};
@@ -57,7 +57,7 @@ impl<'a, T: Real> Exposure<'a, T> {
             let (side, height) = (band.side(), band.height());
             let tiles = (0..side).step_by(height.max(1) as usize);
             let strips =
-                tiles.flat_map(|left| (0..height).step_by(BLOCK_SIDE as usize).map(move |row| (left, row)));
+                tiles.flat_map(|left| (0..height).step_by(BLOCK[1] as usize).map(move |row| (left, row)));
             for (left, row) in strips.take_while(|_| keep_going()) {
                 let end = side.min(left + height);
                 let mut strip = Strip { band: &mut *band, row, next: left, end, given: left, pass };
@@ -193,14 +193,14 @@ struct Strip<'a, 'b> {
 
 impl Strip<'_, '_> {
     fn rows(&self) -> u32 {
-        (self.band.height() - self.row).min(BLOCK_SIDE)
+        (self.band.height() - self.row).min(BLOCK[1])
     }
 }
 
 impl PixelQueue for Strip<'_, '_> {
     #[inline]
     fn next(&mut self) -> PixelLanes {
-        let width = (self.end - self.next).min(BLOCK_SIDE);
+        let width = (self.end - self.next).min(BLOCK[0]);
         self.given = self.next;
         self.next += width;
         PixelLanes::rectangle((self.given, self.band.top() + self.row), (width, self.rows()))

@@ -9,8 +9,8 @@ use super::lanes::{LANES, StartLanes, VectorLanes, any, nowhere};
 use super::path::{Departing, Paths};
 use super::trees::Scratch;
 
-/// Pixels along each side of a block that is traced as one packet.
-pub(in crate::trace) const BLOCK_SIDE: u32 = 4;
+/// Columns and rows of a block of pixels that is traced as one packet.
+pub(in crate::trace) const BLOCK: [u32; 2] = [8, 4];
 
 /// What packets of pixels are traced from.
 pub(in crate::trace) struct Block<'a, T: Real> {

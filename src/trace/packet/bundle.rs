@@ -25,7 +25,7 @@ pub(super) struct Bundle<T> {
 }
 
 /// A lane in the middle of a block, taken for the centre if it is active: near enough, and nothing to sum.
-const MIDDLE: usize = 5;
+const MIDDLE: usize = 11;
 
 /// An active lane, if there is one.
 #[inline(always)]

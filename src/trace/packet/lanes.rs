@@ -1,10 +1,12 @@
-//! Numbers and vectors, sixteen at a time.
+//! Numbers and vectors, thirty-two at a time.
 
 use crate::geometry::{Ray, Real, Vector};
 use crate::trace::ObjectId;
 
-/// Rays in a packet: a vector of the widest registers in single precision, two in double.
-pub(in crate::trace) const LANES: usize = 16;
+/// Rays in a packet: two vectors of the widest registers in single precision, four in double. With sixteen, what is done
+/// once a packet took a third of the time: the official scene's picture took 1.2 times as long in single precision, and
+/// as long as now in double.
+pub(in crate::trace) const LANES: usize = 32;
 
 /// One number a lane.
 pub(in crate::trace) type Lanes<T> = [T; LANES];
@@ -164,7 +166,8 @@ pub(super) fn mask(is_true: impl Fn(usize) -> bool) -> u32 {
 /// The greatest of all lanes, none of them NaN.
 #[inline(always)]
 pub(super) fn greatest<T: Real>(values: &Lanes<T>) -> T {
-    let eight: [T; 8] = core::array::from_fn(|lane| values[lane].at_least(values[lane + 8]));
+    let sixteen: [T; 16] = core::array::from_fn(|lane| values[lane].at_least(values[lane + 16]));
+    let eight: [T; 8] = core::array::from_fn(|lane| sixteen[lane].at_least(sixteen[lane + 8]));
     let four: [T; 4] = core::array::from_fn(|lane| eight[lane].at_least(eight[lane + 4]));
     four[0].at_least(four[2]).at_least(four[1].at_least(four[3]))
 }
@@ -178,7 +181,8 @@ pub(super) fn range<T: Real>(values: &Lanes<T>) -> [T; 2] {
 /// The least of all lanes.
 #[inline(always)]
 pub(super) fn least(values: &Lanes<u32>) -> u32 {
-    let eight: [u32; 8] = core::array::from_fn(|lane| values[lane].min(values[lane + 8]));
+    let sixteen: [u32; 16] = core::array::from_fn(|lane| values[lane].min(values[lane + 16]));
+    let eight: [u32; 8] = core::array::from_fn(|lane| sixteen[lane].min(sixteen[lane + 8]));
     let four: [u32; 4] = core::array::from_fn(|lane| eight[lane].min(eight[lane + 4]));
     four[0].min(four[2]).min(four[1].min(four[3]))
 }

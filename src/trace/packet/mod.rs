@@ -1,7 +1,7 @@
-//! Sixteen rays at once.
+//! Thirty-two rays at once.
 //!
-//! A block of 4 x 4 pixels, or any other sixteen, is traced together: one shape or one light against all its rays, in loops over lanes that a
-//! compiler turns into vector instructions of whatever width there is. Each lane does what [`radiance`] does for one
+//! A block of 8 x 4 pixels, or any other thirty-two, is traced together: one shape or one light against all its rays, in
+//! loops over lanes that a compiler turns into vector instructions of whatever width there is. Each lane does what [`radiance`] does for one
 //! ray, by the same operations in the same order, so a picture is the same to the bit on every path. A lane that has
 //! nothing to do reaches nothing: its reach is below 0.
 //!
@@ -25,7 +25,7 @@ mod stream;
 mod surface;
 mod trees;
 
-pub(super) use block::{BLOCK_SIDE, Block};
+pub(super) use block::{BLOCK, Block};
 pub(super) use bounds::Bounds;
 pub(super) use lanes::{LANES, VectorLanes};
 pub(super) use stream::{closest_hits, occlusions};

@@ -1,4 +1,4 @@
-//! Rays from anywhere, sixteen at a time.
+//! Rays from anywhere, thirty-two at a time.
 
 use crate::geometry::{Real, Vector};
 use crate::trace::hit::FaceCode;
@@ -21,7 +21,7 @@ struct Packet<T> {
 }
 
 impl<T: Real> Packet<T> {
-    /// At most sixteen of them, in order.
+    /// At most a packet of them, in order.
     #[inline(always)]
     fn of(queries: &[Query<T>]) -> Self {
         let (mut start, mut direction, mut reach) =
