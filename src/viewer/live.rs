@@ -165,6 +165,12 @@ impl Shared {
         self.changed.notify_all();
     }
 
+    /// Waits so long, unless something else is asked for.
+    fn pause(&self, generation: u64, time: Duration) {
+        let is_same = |mailbox: &mut Mailbox| mailbox.generation == generation;
+        drop(self.changed.wait_timeout_while(self.lock(), time, is_same));
+    }
+
     /// Puts out a picture, unless something else has been asked for meanwhile.
     fn show(&self, generation: u64, shown: Result<Shown, FrameError>) {
         let mut mailbox = self.lock();

@@ -14,10 +14,13 @@ use crate::preview::Layout;
 /// What is around the square of the picture.
 const SURROUND: [f32; 4] = [0.07, 0.07, 0.08, 1.0];
 
-/// A way to cover a whole target, and the program that shows pictures.
+/// A way to cover a whole target, and the programs that show pictures.
 pub(super) struct Screen {
     gl: Arc<Context>,
     program: Program,
+    /// For most pictures: without the quotients by which others are scaled, which take a processor that draws in
+    /// software longer than a whole traced picture.
+    plain: Program,
     /// Holds nothing: GL 3.3 draws from no array without one.
     array: glow::VertexArray,
 }
@@ -25,10 +28,11 @@ pub(super) struct Screen {
 impl Screen {
     pub(super) fn new(gl: &Arc<Context>) -> Result<Self, GlError> {
         let program = Program::new(gl, "the window's program", sources::SCREEN, sources::PRESENT)?;
+        let plain = Program::new(gl, "the program of plain pictures", sources::SCREEN, sources::PLAIN)?;
         // SAFETY: the context is current, as `load_context` demands.
         let array = unsafe { gl.create_vertex_array() };
         let array = array.map_err(|reason| GlError::Object { what: "vertex array", reason })?;
-        Ok(Self { gl: gl.clone(), program, array })
+        Ok(Self { gl: gl.clone(), program, plain, array })
     }
 
     /// Runs the bound program for every pixel of the target.
@@ -59,14 +63,49 @@ impl Screen {
             self.gl.clear(glow::COLOR_BUFFER_BIT);
         }
         // Where only one of both is there, it takes the whole square.
-        let (preview, traced, split, divided) = match (layout, preview, traced) {
+        match (layout, preview, traced) {
             (Layout::Preview, Some(preview), _) | (_, Some(preview), None) => {
-                (preview, preview, square, false)
+                let is_plain = preview.size() == [square; 2];
+                if is_plain {
+                    self.copy(preview, corner, [0, 1])
+                } else {
+                    self.scale([preview; 2], corner, square, square)
+                }
             }
-            (Layout::Split, Some(preview), Some(traced)) => (preview, traced, square / 2, true),
-            (_, _, Some(traced)) => (traced, traced, 0, false),
+            (Layout::Split, Some(preview), Some(traced)) => {
+                self.scale([preview, traced], corner, square, square / 2);
+            }
+            (_, _, Some(traced)) => {
+                let is_plain = traced.size() == [square; 2];
+                if is_plain {
+                    self.copy(traced, corner, [square - 1, -1])
+                } else {
+                    self.scale([traced; 2], corner, square, 0)
+                }
+            }
             (_, None, None) => return,
-        };
+        }
+        // SAFETY: the context is current.
+        unsafe { self.gl.viewport(corner[0], corner[1], square, square) };
+        self.cover();
+        // SAFETY: the context is current. Whoever draws next starts from the whole window.
+        unsafe { self.gl.viewport(0, 0, width, height) };
+    }
+}
+
+impl Screen {
+    /// Takes the plain program: rows of the picture from the first one upwards, by steps of 1 or -1.
+    fn copy(&self, picture: &Texture, corner: [i32; 2], [first, next]: [i32; 2]) {
+        picture.bind(0);
+        self.plain.bind();
+        self.plain.set("picture", Value::Int(0));
+        self.plain.set("corner", Value::Ints(corner));
+        self.plain.set("first", Value::Int(first));
+        self.plain.set("next", Value::Int(next));
+    }
+
+    /// Takes the program that scales: columns from `split` on show the traced picture, with a line between both.
+    fn scale(&self, [preview, traced]: [&Texture; 2], corner: [i32; 2], square: i32, split: i32) {
         traced.bind(1);
         preview.bind(0);
         self.program.bind();
@@ -75,12 +114,8 @@ impl Screen {
         self.program.set("corner", Value::Ints(corner));
         self.program.set("square", Value::Int(square));
         self.program.set("split", Value::Int(split));
+        let divided = (1..square).contains(&split);
         self.program.set("divided", Value::Int(divided.into()));
-        // SAFETY: the context is current.
-        unsafe { self.gl.viewport(corner[0], corner[1], square, square) };
-        self.cover();
-        // SAFETY: the context is current. Whoever draws next starts from the whole window.
-        unsafe { self.gl.viewport(0, 0, width, height) };
     }
 }
 

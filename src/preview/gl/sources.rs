@@ -9,8 +9,10 @@ const PER_SAMPLE: &str = "#define PER_SAMPLE\n";
 
 /// Vertices of a triangle that covers the whole target; it needs no camera.
 pub(super) const SCREEN: &str = concat!("#version 330 core\n", include_str!("../shaders/screen.vert"));
-/// Copies pictures into the window.
+/// Copies pictures of any sizes into the window.
 pub(super) const PRESENT: &str = include_str!("../shaders/present.frag");
+/// Copies one picture that is as large as it is shown.
+pub(super) const PLAIN: &str = include_str!("../shaders/plain.frag");
 
 /// A vertex shader that places things relative to the eye.
 fn placing(source: &str) -> String {

@@ -1,6 +1,7 @@
 //! Images in GL's memory.
 #![expect(unsafe_code, reason = "every function of GL is foreign")]
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use glow::{Context, HasContext};
@@ -12,6 +13,7 @@ use crate::components;
 pub(super) struct Texture {
     gl: Arc<Context>,
     texture: glow::Texture,
+    size: Cell<[i32; 2]>,
 }
 
 impl Texture {
@@ -48,7 +50,7 @@ impl Texture {
         // SAFETY: the context is current.
         let texture = unsafe { gl.create_texture() };
         let texture = texture.map_err(|reason| GlError::Object { what: "texture", reason })?;
-        let this = Self { gl: gl.clone(), texture };
+        let this = Self { gl: gl.clone(), texture, size: Cell::default() };
         this.bind(0);
         Ok(this)
     }
@@ -64,6 +66,11 @@ impl Texture {
         }
     }
 
+    /// Width and height in texels.
+    pub(super) fn size(&self) -> [i32; 2] {
+        self.size.get()
+    }
+
     pub(super) fn name(&self) -> glow::Texture {
         self.texture
     }
@@ -72,6 +79,7 @@ impl Texture {
     pub(super) fn upload(&self, width: i32, height: i32, rgb: Option<&[u8]>) {
         let (target, format) = (glow::TEXTURE_2D, glow::RGBA8.cast_signed());
         let pixels = glow::PixelUnpackData::Slice(rgb);
+        self.size.set([width, height]);
         // SAFETY: the context is current, and rows follow each other without gaps, as set here, so that GL reads no byte
         // beyond the slice.
         unsafe {

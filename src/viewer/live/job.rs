@@ -14,6 +14,9 @@ use crate::viewer::traced_view::Samples;
 
 /// The time that counting rays one by one may take, by the pace of tracing many at once. It cannot be given up half way.
 const COUNTING: Duration = Duration::from_millis(100);
+/// After the first sample the window has so long to show it with all processors. Whoever flies on by then has asked for
+/// another picture, and has not waited for what is traced of this one.
+const PAUSE: Duration = Duration::from_millis(30);
 /// Samples along each side of a pixel of which a few tell the error of a single one.
 const PROBES: u32 = 3;
 
@@ -116,12 +119,16 @@ impl<'a> Job<'a> {
         let (mut first, mut tally) = (Film::default(), Tally::default());
         for pass in (0..grid.count()).take_while(|_| !self.monitor.is_cancelled()) {
             self.trace((grid, pass), &mut film, &mut tally, pace);
-            if pass == 0 {
-                first = film.clone();
-            }
             let is_on_the_way = pass + 1 < grid.count() || pass == 0;
             if is_on_the_way && self.request.shows == Shows::Picture && !self.monitor.is_cancelled() {
                 self.show(self.picture(&film, pass + 1, tally));
+            }
+            if pass == 0 {
+                // A coarse picture is followed by a better one at once.
+                if side == self.request.side {
+                    self.shared.pause(self.generation, PAUSE);
+                }
+                first = film.clone();
             }
         }
         film.divide(grid.count());
