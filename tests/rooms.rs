@@ -82,7 +82,7 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/trace",
-        crates: &[("libm", Only(&["camera.rs", "camera_effects.rs"]))],
+        crates: &[("libm", Only(&["camera.rs", "camera_effects.rs"])), ("rustix", Only(&["large_pages.rs"]))],
         rooms: &["components", "effects", "geometry", "film"],
         may: &[],
     },

@@ -6,7 +6,7 @@ use crate::geometry::{Bounds3, Real, Vector};
 use crate::trace::ShapeColumns;
 
 use super::build::{Fork, Topology, fill};
-use super::{Child, Leaf, Packed, Tree, WIDTH};
+use super::{Child, Leaf, Packed, Tree, WIDTH, large_pages};
 
 /// Eight children and their boxes, bound by bound: low x, y, z, high x, y, z.
 #[derive(Clone, Copy, Debug)]
@@ -46,12 +46,15 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
     {
         let [leaf_of, leaf_parents, parents] = Self::links(&topology, shapes.len());
         let Topology { nodes, leaves: rows } = topology;
-        let nodes = nodes.into_iter().map(Node::new).collect();
-        let mut leaves: Vec<_> =
-            rows.first().map(|&held| vec![Leaf::of(shapes, held); rows.len()]).unwrap_or_default();
+        let mut placed = large_pages::with_capacity(nodes.len());
+        placed.extend(nodes.into_iter().map(Node::new));
+        let mut leaves = large_pages::with_capacity(rows.len());
+        if let Some(&held) = rows.first() {
+            leaves.resize(rows.len(), Leaf::of(shapes, held));
+        }
         fill(fork, 0, &mut leaves, &|leaf| Leaf::of(shapes, rows[leaf]));
         let mut tree = Self {
-            nodes,
+            nodes: placed,
             leaves,
             leaf_of,
             leaf_parents,

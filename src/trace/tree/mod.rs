@@ -7,6 +7,7 @@
 mod beam;
 mod build;
 mod fit;
+mod large_pages;
 mod pack;
 mod prefetch;
 mod ray;
