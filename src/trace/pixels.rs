@@ -1,9 +1,7 @@
 //! Which pixels are traced together, and where their samples go.
 
-use crate::geometry::Vector;
-
 use super::Trail;
-use super::packet::{BLOCK, LANES, VectorLanes};
+use super::packet::{BLOCK, LANES};
 
 /// Columns and rows in the film of pixels that are traced together.
 #[derive(Clone, Copy, Debug)]
@@ -33,12 +31,12 @@ impl PixelLanes {
 
     #[inline(always)]
     fn rows_of<const WIDTH: u32>(left: u32, top: u32, height: u32) -> Self {
-        let mut pixels = Self { count: (WIDTH * height) as usize, ..Self::NONE };
-        for ((column, row), lane) in pixels.columns.iter_mut().zip(&mut pixels.rows).zip(0..) {
-            *column = left + lane % WIDTH;
-            *row = top + lane / WIDTH;
+        let places = const { places(WIDTH) };
+        Self {
+            columns: places.map(|[column, _]| left + column),
+            rows: places.map(|[_, row]| top + row),
+            count: (WIDTH * height) as usize,
         }
-        pixels
     }
 
     /// One more pixel; there must be room.
@@ -50,11 +48,22 @@ impl PixelLanes {
     }
 }
 
+/// Column and row of every lane in rows of this width.
+const fn places(width: u32) -> [[u32; 2]; LANES] {
+    let mut places = [[0; 2]; LANES];
+    let mut lane = 0;
+    while (lane as usize) < LANES {
+        places[lane as usize] = [lane % width, lane / width];
+        lane += 1;
+    }
+    places
+}
+
 /// Samples of the pixels of a packet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SampleLanes {
-    /// Red, green and blue as x, y and z, 0 to 1.
-    pub(super) colors: VectorLanes<f64>,
+    /// Red, green and blue, 0 to 1: as a film holds them, so that rows of a block are copied as they are.
+    pub(super) colors: [[f64; 3]; LANES],
     /// What the samples met, if that was asked for.
     pub(super) trails: [Trail; LANES],
 }
@@ -62,20 +71,12 @@ pub(super) struct SampleLanes {
 impl SampleLanes {
     /// Nothing met, nothing seen.
     pub(super) fn black() -> Self {
-        Self { colors: VectorLanes::zero(), trails: [Trail::default(); LANES] }
-    }
-
-    /// The colour of a lane.
-    #[inline(always)]
-    pub(super) fn get(&self, lane: usize) -> [f64; 3] {
-        let color = self.colors.get(lane);
-        [color.x, color.y, color.z]
+        Self { colors: [[0.0; 3]; LANES], trails: [Trail::default(); LANES] }
     }
 
     /// Sets a lane.
     pub(super) fn set(&mut self, lane: usize, color: [f64; 3], trail: Trail) {
-        let [x, y, z] = color;
-        self.colors.set(lane, Vector::new(x, y, z));
+        self.colors[lane] = color;
         self.trails[lane] = trail;
     }
 }

@@ -208,16 +208,13 @@ impl PixelQueue for Strip<'_, '_> {
 
     #[inline]
     fn put(&mut self, samples: &SampleLanes) {
-        let mut lane = 0;
-        for row in 0..self.rows() {
-            for pixel in self.band.pixels_mut(self.row + row, self.given..self.next) {
-                let sample = samples.get(lane);
-                if self.pass == 0 {
-                    *pixel = sample;
-                } else {
-                    add(pixel, sample);
-                }
-                lane += 1;
+        let width = (self.next - self.given) as usize;
+        for (row, colors) in (self.row..self.row + self.rows()).zip(samples.colors.chunks(width.max(1))) {
+            let pixels = self.band.pixels_mut(row, self.given..self.next);
+            if self.pass == 0 {
+                pixels.copy_from_slice(&colors[..width]);
+            } else {
+                pixels.iter_mut().zip(colors).for_each(|(pixel, &color)| add(pixel, color));
             }
         }
     }
@@ -246,7 +243,7 @@ impl<F: FnMut(usize, [f64; 3], Trail)> PixelQueue for Listed<'_, F> {
     fn put(&mut self, samples: &SampleLanes) {
         let first = self.taken - self.given;
         for lane in 0..self.given {
-            (self.take)(first + lane, samples.get(lane), samples.trails[lane]);
+            (self.take)(first + lane, samples.colors[lane], samples.trails[lane]);
         }
     }
 }

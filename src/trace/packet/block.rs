@@ -45,10 +45,9 @@ impl<T: Real> Block<'_, T> {
         let paths = Paths { tables, bounds, level, cutoff, wants_trails };
         let (mut found, trails) = paths.radiance::<EFFECTS>(rays, scratch, counts);
         clamp(&mut found, counts);
-        let mut colors = VectorLanes::zero();
+        let mut colors = [[0.0; 3]; LANES];
         for lane in 0..LANES {
-            let color = found.get(lane);
-            colors.set(lane, Vector::new(color.x.to_f64(), color.y.to_f64(), color.z.to_f64()));
+            colors[lane] = [found.x[lane].to_f64(), found.y[lane].to_f64(), found.z[lane].to_f64()];
         }
         SampleLanes { colors, trails }
     }

@@ -27,7 +27,7 @@ mod trees;
 
 pub(super) use block::{BLOCK, Block};
 pub(super) use bounds::Bounds;
-pub(super) use lanes::{LANES, VectorLanes};
+pub(super) use lanes::LANES;
 pub(super) use stream::{closest_hits, occlusions};
 pub(super) use trees::Scratch;
 
