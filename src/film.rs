@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use crate::effects::{SrgbLevels, Transfer};
+use crate::large_pages;
 
 /// Linear red, green and blue of each pixel, 0 to 1; row 0 is the top, rows follow each other.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,7 +19,9 @@ impl Film {
         let count = usize::try_from(u64::from(side) * u64::from(side)).ok()?;
         // Tried first, because `vec!` would abort; `vec!` then, because its zeroes cost nothing until used.
         Vec::<[f64; 3]>::new().try_reserve_exact(count).ok()?;
-        Some(Self { side, pixels: vec![[0.0; 3]; count], transfer: Transfer::Linear })
+        let pixels = vec![[0.0; 3]; count];
+        large_pages::ask_for(&pixels);
+        Some(Self { side, pixels, transfer: Transfer::Linear })
     }
 
     /// Pixels along each side.

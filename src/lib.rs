@@ -40,6 +40,7 @@ pub mod effects;
 pub mod film;
 pub mod geometry;
 pub mod image_file;
+mod large_pages;
 #[cfg(feature = "viewer")]
 pub mod preview;
 pub mod scene;

@@ -82,8 +82,8 @@ const ROOMS: &[Room] = &[
     },
     Room {
         place: "src/trace",
-        crates: &[("libm", Only(&["camera.rs", "camera_effects.rs"])), ("rustix", Only(&["large_pages.rs"]))],
-        rooms: &["components", "effects", "geometry", "film"],
+        crates: &[("libm", Only(&["camera.rs", "camera_effects.rs"]))],
+        rooms: &["components", "effects", "geometry", "film", "large_pages"],
         may: &[],
     },
     Room {
@@ -92,7 +92,8 @@ const ROOMS: &[Room] = &[
         rooms: &["components", "effects", "film", "geometry", "trace"],
         may: &[(Tolerance, All)],
     },
-    Room { place: "src/film.rs", crates: &[], rooms: &["effects"], may: &[] },
+    Room { place: "src/film.rs", crates: &[], rooms: &["effects", "large_pages"], may: &[] },
+    Room { place: "src/large_pages.rs", crates: &[("rustix", All)], rooms: &[], may: &[] },
     Room {
         place: "src/image_file.rs",
         crates: &[("image", All), ("thiserror", All)],

@@ -65,24 +65,12 @@ impl Screen {
         // Where only one of both is there, it takes the whole square.
         match (layout, preview, traced) {
             (Layout::Preview, Some(preview), _) | (_, Some(preview), None) => {
-                let is_plain = preview.size() == [square; 2];
-                if is_plain {
-                    self.copy(preview, corner, [0, 1])
-                } else {
-                    self.scale([preview; 2], corner, square, square)
-                }
+                self.take_one(preview, Rows::BottomFirst, corner, square);
             }
             (Layout::Split, Some(preview), Some(traced)) => {
-                self.scale([preview, traced], corner, square, square / 2);
+                self.take_both([preview, traced], corner, square, square / 2);
             }
-            (_, _, Some(traced)) => {
-                let is_plain = traced.size() == [square; 2];
-                if is_plain {
-                    self.copy(traced, corner, [square - 1, -1])
-                } else {
-                    self.scale([traced; 2], corner, square, 0)
-                }
-            }
+            (_, _, Some(traced)) => self.take_one(traced, Rows::TopFirst, corner, square),
             (_, None, None) => return,
         }
         // SAFETY: the context is current.
@@ -93,9 +81,21 @@ impl Screen {
     }
 }
 
+/// The order of a picture's rows.
+#[derive(Clone, Copy, PartialEq)]
+enum Rows {
+    TopFirst,
+    BottomFirst,
+}
+
 impl Screen {
-    /// Takes the plain program: rows of the picture from the first one upwards, by steps of 1 or -1.
-    fn copy(&self, picture: &Texture, corner: [i32; 2], [first, next]: [i32; 2]) {
+    /// Binds a program that shows one picture.
+    fn take_one(&self, picture: &Texture, rows: Rows, corner: [i32; 2], square: i32) {
+        if picture.size() != [square; 2] {
+            let split = if rows == Rows::TopFirst { 0 } else { square };
+            return self.take_both([picture; 2], corner, square, split);
+        }
+        let [first, next] = if rows == Rows::TopFirst { [square - 1, -1] } else { [0, 1] };
         picture.bind(0);
         self.plain.bind();
         self.plain.set("picture", Value::Int(0));
@@ -104,8 +104,8 @@ impl Screen {
         self.plain.set("next", Value::Int(next));
     }
 
-    /// Takes the program that scales: columns from `split` on show the traced picture, with a line between both.
-    fn scale(&self, [preview, traced]: [&Texture; 2], corner: [i32; 2], square: i32, split: i32) {
+    /// Binds the program that shows the columns of a preview, and from `split` on those of a traced picture.
+    fn take_both(&self, [preview, traced]: [&Texture; 2], corner: [i32; 2], square: i32, split: i32) {
         traced.bind(1);
         preview.bind(0);
         self.program.bind();
@@ -114,8 +114,7 @@ impl Screen {
         self.program.set("corner", Value::Ints(corner));
         self.program.set("square", Value::Int(square));
         self.program.set("split", Value::Int(split));
-        let divided = (1..square).contains(&split);
-        self.program.set("divided", Value::Int(divided.into()));
+        self.program.set("divided", Value::Int((1..square).contains(&split).into()));
     }
 }
 

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use crate::geometry::{Bounds3, Real, Vector};
+use crate::large_pages;
 use crate::trace::ShapeColumns;
 
 use super::build::{Fork, Topology, fill};
-use super::{Child, Leaf, Packed, Tree, WIDTH, large_pages};
+use super::{Child, Leaf, Packed, Tree, WIDTH};
 
 /// Eight children and their boxes, bound by bound: low x, y, z, high x, y, z.
 #[derive(Clone, Copy, Debug)]
@@ -46,9 +47,11 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
     {
         let [leaf_of, leaf_parents, parents] = Self::links(&topology, shapes.len());
         let Topology { nodes, leaves: rows } = topology;
-        let mut placed = large_pages::with_capacity(nodes.len());
+        let mut placed = Vec::with_capacity(nodes.len());
+        large_pages::ask_for(&placed);
         placed.extend(nodes.into_iter().map(Node::new));
-        let mut leaves = large_pages::with_capacity(rows.len());
+        let mut leaves = Vec::with_capacity(rows.len());
+        large_pages::ask_for(&leaves);
         if let Some(&held) = rows.first() {
             leaves.resize(rows.len(), Leaf::of(shapes, held));
         }

@@ -7,7 +7,6 @@
 mod beam;
 mod build;
 mod fit;
-mod large_pages;
 mod pack;
 mod prefetch;
 mod ray;

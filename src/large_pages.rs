@@ -1,19 +1,18 @@
 //! Memory on large pages, where the system has them.
 #![cfg_attr(target_os = "linux", expect(unsafe_code, reason = "the system is told of memory by address"))]
 
-/// An empty vector with room for some values, which the system is asked to keep on large pages.
+/// Asks the system to keep the memory of a vector on large pages, of megabytes each. It is to be asked before anything is
+/// written there: a page stays as large as it was then. Where the system does not listen, nothing changes.
 ///
 /// A processor remembers where some thousand pages are. A ray that goes down a tree of many megabytes reads from another
-/// page with nearly every step, and finds out where that is first. The values must be written after this: a page is as
-/// large as it was when first written to.
-pub(super) fn with_capacity<V>(count: usize) -> Vec<V> {
-    let memory: Vec<V> = Vec::with_capacity(count);
+/// page with nearly every step, and finds out where that is first; and a film is handed out page by page.
+pub(crate) fn ask_for<V>(memory: &Vec<V>) {
     #[cfg(target_os = "linux")]
-    ask(&memory);
-    memory
+    ask(memory);
+    #[cfg(not(target_os = "linux"))]
+    let _ = memory;
 }
 
-/// Only advice: where it is not taken, pages are as small as ever.
 #[cfg(target_os = "linux")]
 fn ask<V>(memory: &Vec<V>) {
     use rustix::mm::{Advice, madvise};
@@ -30,6 +29,6 @@ fn ask<V>(memory: &Vec<V>) {
     }
 }
 
-/// Bytes: less has no large page in it.
+/// Bytes: less may have no large page in it.
 #[cfg(target_os = "linux")]
 const WORTH_ASKING: usize = 4 << 20;
