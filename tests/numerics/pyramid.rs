@@ -101,7 +101,7 @@ impl<T: Precision> Pyramid<T> {
     }
 
     /// The located point: on its face, within the body, with the unit normal of the face.
-    fn check_surface(&self, ray: &Ray<T>, meeting_face: u8) {
+    pub(crate) fn check_surface(&self, ray: &Ray<T>, meeting_face: u8) {
         let crossing = self.shape.intersect(ray).unwrap();
         assert_eq!(crossing.face, meeting_face);
         let found = self.shape.locate(ray, &crossing);
