@@ -1,7 +1,7 @@
 //! The sphere: 22 truths to 25 digits, and random rays from a pebble at the horizon to a planet underfoot.
 
 use archetrace::components::range;
-use archetrace::geometry::{Convex, Ray, Side, SphereShape, SurfacePoint, Vector};
+use archetrace::geometry::{Convex, Ray, Side, SphereShape, SurfacePoint, Vector, basis_looking};
 use glam::DVec3;
 
 use crate::oracle::{Ball, Exact, ExactRay, ExactVector, decimal, nearest, relative_error};
@@ -202,6 +202,35 @@ fn s06b_a_millionth_above_a_planet() {
     // The truth is known to 18 digits only, which is enough for an epsilon of 2e-16.
     check_cases::<f64>("S06b", core::slice::from_ref(&skim));
     check_cases::<f32>("S06b", core::slice::from_ref(&skim));
+}
+
+#[test]
+fn s17_s18_a_direction_of_any_length_shows_the_same() {
+    fn check<T: Precision>() {
+        let shape = SphereShape { center: Vector::default(), radius: T::ONE };
+        // A camera's look becomes a unit vector before there is a ray.
+        let hit = |length: f64| {
+            let [look, _, _] = basis_looking(DVec3::new(5.0, 0.5, -0.25) * length, DVec3::Z).unwrap();
+            let ray = ray::<T>(AWAY.into(), look);
+            check_shown(&shape, &ray);
+            let crossing = shape.intersect(&ray).unwrap();
+            let SurfacePoint { point, normal } = shape.locate(&ray, &crossing);
+            (crossing.t.bits(), crossing.side, bits(point), bits(normal))
+        };
+        for length in [1e-170, 2.0_f64.powi(-700), 2.0_f64.powi(500), 1e160] {
+            let (t, side, point, normal) = hit(length);
+            let plain = hit(1.0);
+            if length.log2().fract() == 0.0 {
+                assert_eq!((t, side, point, normal), plain, "{length:e}");
+            } else {
+                // The length itself is rounded: up to a step in each component.
+                let off = t.abs_diff(plain.0);
+                assert!(off <= 8 && side == plain.1, "{length:e}: {off}");
+            }
+        }
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
