@@ -9,11 +9,17 @@ use thiserror::Error;
 use crate::components::range::{COORDINATE, Range};
 use crate::effects::{Effect, EffectSet};
 
+/// A number as one writes it: with an exponent in place of dozens of zeros.
+fn short(value: f64) -> String {
+    let plain = value.to_string();
+    if plain.len() > 24 { format!("{value:e}") } else { plain }
+}
+
 /// Something in the World that cannot be traced. Nothing is traced while there is one.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum WorldProblem {
     /// A value outside what its component allows.
-    #[error("entity {entity}: {value} is {found}, but must be {allowed}")]
+    #[error("entity {entity}: {value} is {}, but must be {allowed}", short(*found))]
     Value {
         /// The entity.
         entity: Entity,
@@ -89,7 +95,7 @@ pub enum WorldProblem {
         entity: Entity,
     },
     /// Clipping planes in the wrong order.
-    #[error("entity {entity}: Lens.far is {far}, but must be greater than Lens.near, {near}")]
+    #[error("entity {entity}: Lens.far is {}, but must be greater than Lens.near, {}", short(*far), short(*near))]
     Planes {
         /// The entity.
         entity: Entity,

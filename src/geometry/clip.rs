@@ -67,6 +67,12 @@ impl<T: Real> Span<T> {
         (self.leave > T::ZERO && self.leave.is_finite()).then_some(self.leaving())
     }
 
+    /// Ray parameters of both ends.
+    #[inline(always)]
+    pub(super) fn ends(&self) -> [T; 2] {
+        [self.enter, self.leave]
+    }
+
     /// See [`is_close`].
     #[inline(always)]
     pub(super) fn is_close(&self) -> bool {

@@ -186,5 +186,6 @@ fn a_sample_is_cut_before_the_mean_not_after() {
     for side in [2, 4, 64] {
         let mut world = with_samples(half_a_pixel(), 1, side);
         assert_eq!(trace::<f64>(&mut world).picture.at(0, 0), [0.5; 3], "{side} by {side} samples");
+        assert_eq!(trace::<f32>(&mut world).picture.at(0, 0), [0.5; 3], "f32, {side} by {side} samples");
     }
 }

@@ -1,6 +1,7 @@
 //! The checker pattern: whole cells counted exactly, on edges, below zero and beyond the integers.
 
 use archetrace::effects::cell_point;
+use archetrace::geometry::Real;
 
 use crate::oracle::{Exact, exact, floor_is_odd, magnitude, nearest};
 use crate::precision::Precision;
@@ -16,25 +17,36 @@ fn is_odd<T: Precision>(x: T, cell: T) -> bool {
 
 #[test]
 fn c05_parity_is_that_of_the_floor_also_below_zero() {
-    let odd = [-0.5, -1.0, -1e-17, -0.0, 0.0, 0.5, -1.5].map(|x| is_odd(x, 1.0));
-    assert_eq!(odd, [true, true, true, false, false, false, false]);
+    let places = [-0.5, -1.0, -1e-17, -0.0, 0.0, 0.5, -1.5];
+    let odd = [true, true, true, false, false, false, false];
+    assert_eq!(places.map(|x| is_odd::<f64>(x, 1.0)), odd);
+    assert_eq!(places.map(|x| is_odd::<f32>(f32::from_f64(x), 1.0)), odd);
 }
 
 #[test]
 fn c06_the_rows_at_the_origin_are_as_wide_as_all_others() {
-    let colours: Vec<bool> = (-40..40).map(|tenth| is_odd(f64::from(tenth) / 10.0 + 0.05, 1.0)).collect();
-    for cell in colours.chunks(10) {
-        assert!(cell.iter().all(|&odd| odd == cell[0]));
+    fn check<T: Precision>() {
+        let odd = |tenth: i32| is_odd(T::from_f64(f64::from(tenth) / 10.0 + 0.05), T::ONE);
+        let colours: Vec<bool> = (-40..40).map(odd).collect();
+        for cell in colours.chunks(10) {
+            assert!(cell.iter().all(|&odd| odd == cell[0]));
+        }
+        let cells: Vec<bool> = colours.iter().step_by(10).copied().collect();
+        assert_eq!(cells, [false, true, false, true, false, true, false, true]);
     }
-    let cells: Vec<bool> = colours.iter().step_by(10).copied().collect();
-    assert_eq!(cells, [false, true, false, true, false, true, false, true]);
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn c06_a_cell_is_white_where_column_and_row_are_alike() {
-    let white = |x: f64, y: f64| cell_point(x, y, 20.0).white;
-    assert!(white(10.0, 10.0) && white(-10.0, -10.0) && white(30.0, -10.0) && white(0.0, 0.0));
-    assert!(!white(10.0, 30.0) && !white(-1.0, 1.0) && !white(20.0, 0.0) && !white(0.0, -20.0));
+    fn check<T: Precision>() {
+        let white = |x: f64, y: f64| cell_point(T::from_f64(x), T::from_f64(y), T::from_f64(20.0)).white;
+        assert!(white(10.0, 10.0) && white(-10.0, -10.0) && white(30.0, -10.0) && white(0.0, 0.0));
+        assert!(!white(10.0, 30.0) && !white(-1.0, 1.0) && !white(20.0, 0.0) && !white(0.0, -20.0));
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
@@ -42,6 +54,10 @@ fn c07_beyond_32_bit_integers_cells_still_change() {
     assert!(!is_odd(2_147_483_648.5, 1.0));
     assert!(is_odd(2_147_483_649.5, 1.0));
     assert!(is_odd(-2_147_483_648.5, 1.0));
+    // A single number of that size is whole and even; cells of a thousandth make as many.
+    assert!(!is_odd(2_147_483_648.0_f32, 1.0) && !is_odd(-2_147_483_648.0_f32, 1.0));
+    let cell = 2.0_f32.powi(-10);
+    assert!(!is_odd(2_147_483_648.0 * cell, cell) && is_odd(8_388_609.0 * cell, cell));
 }
 
 #[test]

@@ -5,8 +5,10 @@ use glam::DVec3;
 
 use crate::oracle::{Body, Exact, ExactRay, Meeting, exact, magnitude, nearest, relative_error};
 use crate::precision::{Precision, bits, ray};
+use crate::shown::{Tabled, check_shown, shown};
 use crate::worst::Worst;
 use archetrace::selfcheck::Random;
+use archetrace::trace::{Kind, ObjectId, SceneTables};
 
 /// One difference and one quotient, half an epsilon each.
 const T_BOUND: f64 = 1.0 + 1e-6;
@@ -99,27 +101,46 @@ fn a2_the_lattice_of_367416_rays_is_met_exactly_f32() {
     check_lattice::<f32>();
 }
 
-/// A ray with the unit cube: `t`, face, side, point and normal.
+/// A ray with the unit cube in both precisions: `t`, face, side, point and normal with no tolerance for the first three,
+/// all as exact arithmetic has them, too, and that a scene shows the cube there by every way of searching it.
 fn check_case(origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, u8, Side)>) {
-    let cube = unit_cube::<f64>();
-    let ray = ray::<f64>(origin.into(), direction.into());
-    let found = cube.intersect(&ray);
-    assert_eq!(found.map(|hit| (hit.t, hit.face, hit.side)), expected);
+    check_case_in::<f64>(origin, direction, expected);
+    check_case_in::<f32>(origin, direction, expected);
+}
+
+fn check_case_in<T: Precision>(origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, u8, Side)>) {
+    let cube = unit_cube::<T>();
+    let ray = ray::<T>(origin.into(), direction.into());
+    check_kernel(&cube, &ray, expected);
+    check_shown(&cube, &ray);
+}
+
+fn check_kernel<T: Precision>(cube: &CubeShape<T>, ray: &Ray<T>, expected: Option<(f64, u8, Side)>) {
+    let found = cube.intersect(ray);
+    assert_eq!(found.map(|hit| (hit.t.to_f64(), hit.face, hit.side)), expected, "{ray:?}");
     if let Some((t, face, side)) = expected {
-        let t = exact(t);
-        check_surface(&cube, &ray, &Meeting { t, face, side });
+        let truth = Meeting { t: exact(t), face, side };
+        assert_eq!(body(cube).meet(&ExactRay::of(ray)), Some(truth.clone()), "{ray:?}");
+        check_surface(cube, ray, &truth);
+        let normal = cube.locate(ray, &found.unwrap()).normal;
+        assert_eq!(normal.dot(ray.direction) > T::ZERO, side == Side::Inside, "{ray:?}");
     }
 }
 
 #[test]
 fn b01_a_ray_within_a_face_is_met_whatever_the_sign_of_its_zeros() {
-    for direction in [[1.0, 0.0, 0.0], [1.0, 0.0, -0.0], [1.0, -0.0, 0.0], [1.0, -0.0, -0.0]] {
-        check_case([-1.0, 0.5, 1.0], direction, Some((1.0, 0, Side::Outside)));
-        check_case([-1.0, 0.5, 0.0], direction, Some((1.0, 0, Side::Outside)));
-        check_case([-1.0, 1.0, 1.0], direction, Some((1.0, 0, Side::Outside)));
-        check_case([-1.0, 0.5, 1.0_f64.up()], direction, None);
-        check_case([-1.0, 0.5, -5e-324], direction, None);
+    fn check<T: Precision>() {
+        for direction in [[1.0, 0.0, 0.0], [1.0, 0.0, -0.0], [1.0, -0.0, 0.0], [1.0, -0.0, -0.0]] {
+            let check = check_case_in::<T>;
+            check([-1.0, 0.5, 1.0], direction, Some((1.0, 0, Side::Outside)));
+            check([-1.0, 0.5, 0.0], direction, Some((1.0, 0, Side::Outside)));
+            check([-1.0, 1.0, 1.0], direction, Some((1.0, 0, Side::Outside)));
+            check([-1.0, 0.5, T::ONE.up().to_f64()], direction, None);
+            check([-1.0, 0.5, T::ZERO.down().to_f64()], direction, None);
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
@@ -149,90 +170,147 @@ fn b05_from_the_inside_the_wall_ahead_is_met() {
 
 #[test]
 fn b06_a_slope_without_a_reciprocal_is_divided_by() {
-    check_case([0.0, 0.5, -1.0], [1e-310, 0.0, 1.0], Some((1.0, 4, Side::Outside)));
-    check_case([0.0, 0.5, -1.0], [-1e-310, 0.0, 1.0], None);
+    fn check<T: Precision>() {
+        let slope = T::of(1e-310, 1e-40);
+        check_case_in::<T>([0.0, 0.5, -1.0], [slope, 0.0, 1.0], Some((1.0, 4, Side::Outside)));
+        check_case_in::<T>([0.0, 0.5, -1.0], [-slope, 0.0, 1.0], None);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn b07_a_far_hit_is_finite_or_none() {
-    check_case([0.5, 0.5, -1e308], [0.0, 0.0, 1.0], Some((1e308, 4, Side::Outside)));
-    check_case([0.5, 0.5, -1.0], [0.0, 0.0, 1e-320], None);
-    check_case([0.5, 0.5, 0.5], [0.0, 0.0, 1e-320], None);
+    // Farther away than any scene may be.
+    fn check<T: Precision>() {
+        let cube = unit_cube::<T>();
+        let check = |z: f64, rise: f64, expected| {
+            check_kernel(&cube, &ray(DVec3::new(0.5, 0.5, z), DVec3::new(0.0, 0.0, rise)), expected);
+        };
+        let far = T::from_f64(T::of(1e308, 1e38)).to_f64();
+        let least = T::of(1e-320, 1e-44);
+        check(-far, 1.0, Some((far, 4, Side::Outside)));
+        check(-1.0, least, None);
+        check(0.5, least, None);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn b08_two_cubes_side_by_side_are_met_at_the_same_bits() {
-    let neighbour = CubeShape::<f64>::new(DVec3::X, 1.0);
-    let between = ray::<f64>(DVec3::new(1.0, -1.0, 0.5), DVec3::Y);
-    let here = unit_cube::<f64>().intersect(&between).unwrap();
-    let there = neighbour.intersect(&between).unwrap();
-    assert_eq!((here, here.t, here.face, here.side), (there, 1.0, 2, Side::Outside));
+    fn check<T: Precision>() {
+        let neighbour = CubeShape::<T>::new(DVec3::X, 1.0);
+        let between = ray::<T>(DVec3::new(1.0, -1.0, 0.5), DVec3::Y);
+        check_kernel(&unit_cube(), &between, Some((1.0, 2, Side::Outside)));
+        check_kernel(&neighbour, &between, Some((1.0, 2, Side::Outside)));
+        // The one of lower order shows, whichever it is.
+        for pair in [[unit_cube(), neighbour], [neighbour, unit_cube()]] {
+            let mut tables = SceneTables::default();
+            (1..).zip(pair).for_each(|(order, cube)| cube.push(&mut tables, order));
+            assert_eq!(shown(&mut tables, &between).unwrap().0, ObjectId { kind: Kind::Cube, row: 0 });
+        }
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn b09_from_one_cube_into_the_next_there_is_no_gap() {
-    let mut random = Random::new(0xB09);
-    let mut crossed = 0;
-    for _ in 0..20_000 {
-        let side = random.magnitude(-6.0, 6.0);
-        let first = CubeShape::<f64>::new(random.point() * side, side);
-        let second =
-            CubeShape { min: first.min.with(0, first.max.x), max: first.max.with(0, first.max.x + side) };
-        let within = |share: f64, axis: usize| first.min[axis] + share * (first.max[axis] - first.min[axis]);
-        let origin =
-            DVec3::new(within(random.share(), 0), within(random.share(), 1), within(random.share(), 2));
-        let ray = ray::<f64>(origin, DVec3::new(random.share(), 0.0, 0.0) + 0.3 * random.point());
-        let exit = first.intersect(&ray).unwrap();
-        if (exit.face, exit.side) == (1, Side::Inside) {
-            let entry = second.intersect(&ray).unwrap();
-            assert_eq!((entry.t, entry.face, entry.side), (exit.t, 0, Side::Outside), "{ray:?}");
-            crossed += 1;
+    fn check<T: Precision>(scales: f64) {
+        let mut random = Random::new(0xB09);
+        let mut crossed = 0;
+        for _ in 0..20_000 {
+            let side = random.magnitude(-scales, scales);
+            let first = CubeShape::<T>::new(random.point() * side, side);
+            let end = first.max.x + T::from_f64(side);
+            let second = CubeShape { min: first.min.with(0, first.max.x), max: first.max.with(0, end) };
+            let (min, max) = (first.min.to_dvec3(), first.max.to_dvec3());
+            let share = DVec3::new(random.share(), random.share(), random.share());
+            let way = DVec3::new(random.share(), 0.0, 0.0) + 0.3 * random.point();
+            let ray = ray::<T>(min + share * (max - min), way);
+            let exit = first.intersect(&ray).unwrap();
+            if (exit.face, exit.side) == (1, Side::Inside) {
+                let entry = second.intersect(&ray).unwrap();
+                assert_eq!((entry.t, entry.face, entry.side), (exit.t, 0, Side::Outside), "{ray:?}");
+                let [out, into] =
+                    [(&first, &exit), (&second, &entry)].map(|(cube, hit)| cube.locate(&ray, hit));
+                assert_eq!((out.point, out.normal), (into.point, -into.normal), "{ray:?}");
+                crossed += 1;
+            }
         }
+        assert!(crossed > 5_000, "{crossed}");
     }
-    assert!(crossed > 5_000, "{crossed}");
+    check::<f64>(6.0);
+    check::<f32>(3.0);
 }
 
 #[test]
 fn b10_equal_cubes_give_equal_bits_however_they_were_made() {
-    let mut random = Random::new(0xB10);
-    for _ in 0..2_000 {
-        let (min, side) = (random.point(), random.share());
-        let ray = ray::<f64>(3.0 * random.point(), random.direction());
-        let [first, second] = [0, 1].map(|_| CubeShape::<f64>::new(min, side).intersect(&ray));
-        assert_eq!(first, second);
+    fn check<T: Precision>() {
+        let mut random = Random::new(0xB10);
+        for _ in 0..2_000 {
+            let (min, side) = (random.point(), random.share());
+            let ray = ray::<T>(3.0 * random.point(), random.direction());
+            let [first, second] = [0, 1].map(|_| CubeShape::<T>::new(min, side).intersect(&ray));
+            assert_eq!(first, second);
+        }
+        // Of thirty twins the first shows.
+        check_shown(&unit_cube::<T>(), &ray(DVec3::new(-2.0, 0.25, 0.75), DVec3::X));
     }
+    check::<f64>();
+    check::<f32>();
+}
+
+/// A hit without the scale: `t`, face, side, and the bits of point and normal.
+type Unscaled<T> = Option<(T, u8, Side, [u64; 3], [u64; 3])>;
+
+fn unscaled<T: Precision>(cube: &CubeShape<T>, ray: &Ray<T>, scale: f64) -> Unscaled<T> {
+    let hit = cube.intersect(ray)?;
+    let (found, scale) = (cube.locate(ray, &hit), T::from_f64(scale));
+    Some((hit.t / scale, hit.face, hit.side, bits(found.point / scale), bits(found.normal)))
 }
 
 #[test]
 fn b11_scaled_by_a_power_of_two_only_the_exponent_changes() {
-    let mut random = Random::new(0xB11);
-    let mut hits = 0;
-    for number in 0..20_000 {
-        let (min, side) = (random.point(), random.magnitude(-2.0, 0.5));
-        let origin = 3.0 * random.point();
-        let direction = min + (random.point() + 0.5) * side - origin;
-        let plain = ray::<f64>(origin, direction);
-        let cube = CubeShape::<f64>::new(min, side);
-        let scale = 2.0_f64.powi([-60, -20, 20, 60][number % 4]);
-        let scaled = CubeShape::<f64>::new(min * scale, side * scale);
-        let scaled_ray = ray::<f64>(origin * scale, direction);
-        let near = cube.intersect(&plain);
-        let far = scaled.intersect(&scaled_ray);
-        assert_eq!(
-            near.map(|hit| (hit.t * scale, hit.face, hit.side)),
-            far.map(|hit| (hit.t, hit.face, hit.side))
-        );
-        if let (Some(near), Some(far)) = (near, far) {
-            let point = cube.locate(&plain, &near).point * scale;
-            assert_eq!(bits(point), bits(scaled.locate(&scaled_ray, &far).point));
-            hits += 1;
+    fn check<T: Precision>(powers: [i32; 4]) {
+        let mut random = Random::new(0xB11);
+        let mut hits = 0;
+        for number in 0..20_000 {
+            let (min, side) = (random.point(), random.magnitude(-2.0, 0.5));
+            let origin = 3.0 * random.point();
+            let direction = min + (random.point() + 0.5) * side - origin;
+            let at = |scale: f64| {
+                let cube = CubeShape::<T>::new(min * scale, side * scale);
+                unscaled(&cube, &ray(origin * scale, direction), scale)
+            };
+            let plain = at(1.0);
+            assert_eq!(at(2.0_f64.powi(powers[number % 4])), plain);
+            hits += u32::from(plain.is_some());
         }
+        assert!(hits > 1_000, "{hits}");
     }
-    assert!(hits > 1_000, "{hits}");
+    check::<f64>([-60, -20, 20, 60]);
+    // A scene's own unit keeps lengths within these in single precision.
+    check::<f32>([-20, -7, 7, 20]);
+    // Sides of a millionth and a million, and a cube a million away: the face is met where it is.
+    for (corner, side) in [(0.0, 1e-6), (0.0, 1e6), (1e6, 1.0)] {
+        check_side::<f64>(corner, side);
+        check_side::<f32>(corner, side);
+    }
+}
+
+/// From one side ahead of the middle of a cube's face -x.
+fn check_side<T: Precision>(corner: f64, side: f64) {
+    let cube = CubeShape::<T>::new(DVec3::splat(corner), side);
+    let middle = DVec3::splat(corner + 0.5 * side);
+    let ray = ray::<T>(middle.with_x(corner - side), DVec3::X);
+    assert!(check_exactly(&cube, &body(&cube), &ray));
+    check_shown(&cube, &ray);
 }
 
 /// Hit or miss and side without tolerance; `t`, face, point and normal. Whether it is a hit.
-fn check_aimed<T: Precision>(cube: &CubeShape<T>, ray: &Ray<T>, worst: &mut Worst) -> bool {
+pub(crate) fn check_aimed<T: Precision>(cube: &CubeShape<T>, ray: &Ray<T>, worst: &mut Worst) -> bool {
     let body = body(cube);
     let exact_ray = ExactRay::of(ray);
     let truth = body.meet(&exact_ray);

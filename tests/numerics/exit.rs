@@ -255,36 +255,48 @@ fn check_trapped<T: Precision, S: Start<T>>(
 
 #[test]
 fn r05_a_thousand_mirror_images_stay_within_a_cube() {
-    for number in 0..50 {
-        let random = &mut Random::new(0xE_0500_0000 + number);
-        let cube = random_cube::<f64>(random);
-        let body = Body::cube(cube.min, cube.max);
-        check_trapped(&cube, random, |point| body.contains(&ExactVector::of(point)));
+    fn check<T: Precision>() {
+        for number in 0..50 {
+            let random = &mut Random::new(0xE_0500_0000 + number);
+            let cube = random_cube::<T>(random);
+            let body = Body::cube(cube.min, cube.max);
+            check_trapped(&cube, random, |point| body.contains(&ExactVector::of(point)));
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn r05_a_thousand_mirror_images_stay_within_a_pyramid() {
-    for number in 0..50 {
-        let random = &mut Random::new(0xE_0501_0000 + number);
-        let pyramid = random_pyramid::<f64>(random);
-        let blur = 2.0 * place_blur(pyramid.shape.apex, pyramid.size());
-        let grown = pyramid.body.grown(&[blur; 5]);
-        check_trapped(&pyramid, random, |point| grown.contains(&ExactVector::of(point)));
+    fn check<T: Precision>() {
+        for number in 0..50 {
+            let random = &mut Random::new(0xE_0501_0000 + number);
+            let pyramid = random_pyramid::<T>(random);
+            let blur = 2.0 * place_blur(pyramid.shape.apex, pyramid.size());
+            let grown = pyramid.body.grown(&[blur; 5]);
+            check_trapped(&pyramid, random, |point| grown.contains(&ExactVector::of(point)));
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn r05_a_thousand_mirror_images_stay_within_a_sphere() {
-    for number in 0..50 {
-        let random = &mut Random::new(0xE_0502_0000 + number);
-        let sphere = random_sphere::<f64>(random);
-        let ball = Ball::of(sphere.center, sphere.radius);
-        check_trapped(&sphere, random, |point| {
-            let from_center = ExactVector::of(point).minus(&ball.center).length();
-            nearest(&magnitude(from_center - &ball.radius)) <= place_blur(point, sphere.size())
-        });
+    fn check<T: Precision>() {
+        for number in 0..50 {
+            let random = &mut Random::new(0xE_0502_0000 + number);
+            let sphere = random_sphere::<T>(random);
+            let ball = Ball::of(sphere.center, sphere.radius);
+            check_trapped(&sphere, random, |point| {
+                let from_center = ExactVector::of(point).minus(&ball.center).length();
+                nearest(&magnitude(from_center - &ball.radius)) <= place_blur(point, sphere.size())
+            });
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 /// Outward rays from a body: none meets it again, as exact geometry knows it.
@@ -306,30 +318,42 @@ fn count_returns<T: Precision, S: Start<T>>(
 #[test]
 fn r04_outward_rays_never_meet_their_cube_again() {
     // Points on a cube are exact, so this holds with no tolerance.
-    let returns = count_returns::<f64, _>(0xE_0601_0000, random_cube, |cube, ray| {
-        Body::cube(cube.min, cube.max).meet(&ExactRay::of(ray)).is_some()
-    });
-    assert_eq!(returns, 0);
+    fn check<T: Precision>() {
+        let returns = count_returns::<T, _>(0xE_0601_0000, random_cube, |cube, ray| {
+            Body::cube(cube.min, cube.max).meet(&ExactRay::of(ray)).is_some()
+        });
+        assert_eq!(returns, 0);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn r04_outward_rays_never_meet_their_pyramid_again_below_its_skin() {
-    let returns = count_returns::<f64, _>(0xE_0602_0000, random_pyramid, |pyramid, ray| {
-        let blur = place_blur(ray.origin, pyramid.size());
-        pyramid.body.grown(&[-blur; 5]).meet(&ExactRay::of(ray)).is_some()
-    });
-    assert_eq!(returns, 0);
+    fn check<T: Precision>() {
+        let returns = count_returns::<T, _>(0xE_0602_0000, random_pyramid, |pyramid, ray| {
+            let blur = place_blur(ray.origin, pyramid.size());
+            pyramid.body.grown(&[-blur; 5]).meet(&ExactRay::of(ray)).is_some()
+        });
+        assert_eq!(returns, 0);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn r04_outward_rays_never_meet_their_sphere_again_below_its_skin() {
-    let returns = count_returns::<f64, _>(0xE_0603_0000, random_sphere, |sphere, ray| {
-        let blur = place_blur(ray.origin, sphere.radius);
-        let core =
-            Ball { center: ExactVector::of(sphere.center), radius: exact(sphere.radius) - exact(blur) };
-        core.meet(&ExactRay::of(ray)).is_some()
-    });
-    assert_eq!(returns, 0);
+    fn check<T: Precision>() {
+        let returns = count_returns::<T, _>(0xE_0603_0000, random_sphere, |sphere, ray| {
+            let blur = place_blur(ray.origin, sphere.radius.to_f64());
+            let core =
+                Ball { center: ExactVector::of(sphere.center), radius: exact(sphere.radius) - exact(blur) };
+            core.meet(&ExactRay::of(ray)).is_some()
+        });
+        assert_eq!(returns, 0);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 /// Outward rays that meet a twin of the body that they leave: how many, and the largest sine of the angle between such

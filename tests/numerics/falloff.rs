@@ -13,6 +13,9 @@ fn l01_at_the_light_nothing_is_lost() {
     for falloff in [0.0, 1.0, 1e150] {
         assert_eq!(attenuation(0.0, falloff), 1.0);
     }
+    for falloff in [0.0_f32, 1.0, 1e38] {
+        assert_eq!(attenuation(0.0, falloff), 1.0);
+    }
 }
 
 #[test]
@@ -44,15 +47,21 @@ fn l05_a_falloff_below_zero_is_refused() {
 
 #[test]
 fn l06_scale_and_falloff_cancel_bit_for_bit() {
-    for number in 0..20_000 {
-        let random = &mut Random::new(0x1_0600_0000 + number);
-        let (square, falloff) = (random.magnitude(-3.0, 6.0), random.magnitude(-8.0, 1.0));
-        for power in [-60, -20, -1, 1, 20, 60] {
-            let scale = 4.0_f64.powi(power);
-            let scaled = attenuation(square * scale, falloff / scale);
-            assert_eq!(scaled.bits(), attenuation(square, falloff).bits(), "{square} {falloff}");
+    fn check<T: Precision>(powers: [i32; 6]) {
+        for number in 0..20_000 {
+            let random = &mut Random::new(0x1_0600_0000 + number);
+            let (square, falloff) = (random.magnitude(-3.0, 6.0), random.magnitude(-8.0, 1.0));
+            let (square, falloff) = (T::from_f64(square), T::from_f64(falloff));
+            for power in powers {
+                let scale = T::from_f64(4.0_f64.powi(power));
+                let scaled = attenuation(square * scale, falloff / scale);
+                assert_eq!(scaled.bits(), attenuation(square, falloff).bits(), "{square} {falloff}");
+            }
         }
     }
+    check::<f64>([-60, -20, -1, 1, 20, 60]);
+    // Squared lengths of a scene's own unit.
+    check::<f32>([-30, -20, -1, 1, 20, 30]);
 }
 
 /// The exponent is rounded once, which counts with its own size; the function adds one epsilon at most.

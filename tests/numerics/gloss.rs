@@ -28,11 +28,15 @@ fn l12_away_from_the_mirror_there_is_no_highlight() {
 
 #[test]
 fn l13_shininess_0_lights_all_before_the_mirror_and_nothing_behind() {
-    for cosine in [1.0, 0.5, 1e-300] {
-        assert_eq!(at::<f64>(cosine, 0.0), 1.0);
+    fn check<T: Precision>(least: f64) {
+        for cosine in [1.0, 0.5, least] {
+            assert_eq!(at::<T>(cosine, 0.0), T::ONE);
+        }
+        assert_eq!(at::<T>(0.0, 0.0), T::ZERO);
+        assert_eq!(at::<T>(-0.5, 0.0), T::ZERO);
     }
-    assert_eq!(at::<f64>(0.0, 0.0), 0.0);
-    assert_eq!(at::<f64>(-0.5, 0.0), 0.0);
+    check::<f64>(1e-300);
+    check::<f32>(1e-37);
 }
 
 #[test]
@@ -41,7 +45,7 @@ fn l13_in_the_mirror_direction_the_highlight_is_full() {
         assert_eq!(at::<f64>(1.0, shininess), 1.0);
         assert_eq!(at::<f32>(1.0, shininess), 1.0);
     }
-    assert_eq!(at::<f64>(0.5, 3.0), 0.125);
+    assert_eq!((at::<f64>(0.5, 3.0), at::<f32>(0.5, 3.0)), (0.125, 0.125));
 }
 
 #[test]

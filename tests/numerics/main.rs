@@ -11,6 +11,7 @@
     reason = "tests: a panic is a failure, --nocapture shows measured figures, and counts are small"
 )]
 
+mod almost_along;
 mod camera;
 mod camera_moves;
 mod camera_raise;
@@ -33,6 +34,7 @@ mod precision;
 mod pyramid;
 mod pyramid_edges;
 mod selfcheck;
+mod shown;
 mod sphere;
 mod spot;
 mod srgb;

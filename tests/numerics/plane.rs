@@ -5,29 +5,48 @@ use glam::DVec3;
 
 use crate::oracle::{Exact, ExactRay, ExactVector, HalfSpace, exact, magnitude, nearest, relative_error};
 use crate::precision::{Precision, bits, ray};
+use crate::shown::check_shown;
 use crate::worst::Worst;
 use archetrace::selfcheck::Random;
 
 const GROUND: PlaneShape<f64> = PlaneShape { height: 0.0 };
 
+fn ground<T: Precision>() -> PlaneShape<T> {
+    PlaneShape { height: T::ZERO }
+}
+
 /// One difference and one quotient, half an epsilon each.
 const T_BOUND: f64 = 1.0 + 1e-6;
 
-/// A ray from above or below must meet the ground at `t`, with the normal towards where it comes from.
-fn check_hit(origin: DVec3, direction: DVec3, t: f64) {
-    let ray = ray::<f64>(origin, direction);
-    let hit = GROUND.intersect(&ray).unwrap();
-    assert_eq!((hit.t, hit.face, hit.side), (t, 0, Side::Outside));
-    let found = GROUND.locate(&ray, &hit);
+/// A ray from above or below must meet the ground at `t`, with the normal towards where it comes from, and a scene must
+/// show it there.
+fn check_hit_in<T: Precision>(origin: DVec3, direction: DVec3, t: f64) {
+    let ray = ray::<T>(origin, direction);
+    let hit = ground().intersect(&ray).unwrap();
+    assert_eq!((hit.t.to_f64(), hit.face, hit.side), (t, 0, Side::Outside));
+    let found = ground().locate(&ray, &hit);
     let there = origin + direction * t;
     assert_eq!(found.point.to_dvec3(), there.with_z(0.0));
-    assert_eq!(found.point.z.bits(), 0.0_f64.bits());
+    assert_eq!(found.point.z.bits(), T::ZERO.bits());
     let side = if direction.z < 0.0 { DVec3::Z } else { DVec3::NEG_Z };
     assert_eq!(found.normal.to_dvec3(), side);
+    check_shown(&ground(), &ray);
+}
+
+fn check_hit(origin: DVec3, direction: DVec3, t: f64) {
+    check_hit_in::<f64>(origin, direction, t);
+    check_hit_in::<f32>(origin, direction, t);
+}
+
+fn check_miss_in<T: Precision>(origin: DVec3, direction: DVec3) {
+    let ray = ray::<T>(origin, direction);
+    assert_eq!(ground().intersect(&ray), None);
+    check_shown(&ground(), &ray);
 }
 
 fn check_miss(origin: DVec3, direction: DVec3) {
-    assert_eq!(GROUND.intersect(&ray::<f64>(origin, direction)), None);
+    check_miss_in::<f64>(origin, direction);
+    check_miss_in::<f32>(origin, direction);
 }
 
 #[test]
@@ -49,21 +68,42 @@ fn c02_within_the_plane_is_a_miss() {
 
 #[test]
 fn c03_a_grazing_ray_is_met_far_away_to_the_last_digit() {
-    let direction = DVec3::new(1.0, 0.0, -1e-9).normalize();
-    let ray = ray::<f64>(DVec3::Z, direction);
-    let hit = GROUND.intersect(&ray).unwrap();
-    let truth = Exact::ONE / exact(-direction.z);
-    assert!(relative_error(hit.t, &truth) <= T_BOUND * f64::EPSILON);
-    assert!((hit.t - 1e9).abs() < 1.0);
-    let x = GROUND.locate(&ray, &hit).point.x;
-    assert!(relative_error(x, &(exact(direction.x) * truth)) <= 2.0 * f64::EPSILON);
+    fn check<T: Precision>() {
+        let ray = ray::<T>(DVec3::Z, DVec3::new(1.0, 0.0, -1e-9).normalize());
+        let hit = ground().intersect(&ray).unwrap();
+        assert_eq!((hit.face, hit.side), (0, Side::Outside));
+        let truth = Exact::ONE / exact(-ray.direction.z);
+        assert!(relative_error(hit.t, &truth) <= T_BOUND * T::EPSILON);
+        assert!((hit.t.to_f64() - 1e9).abs() <= 1e9 * T::EPSILON);
+        let found = ground().locate(&ray, &hit);
+        assert!(relative_error(found.point.x, &(exact(ray.direction.x) * truth)) <= 2.0 * T::EPSILON);
+        assert_eq!([found.point.y, found.point.z].map(T::bits), [T::ZERO.bits(); 2]);
+        assert_eq!(found.normal.to_dvec3(), DVec3::Z);
+        check_shown(&ground(), &ray);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn c04_beyond_every_number_is_a_miss() {
     check_miss(DVec3::Z, DVec3::new(1.0, 0.0, -5e-324));
-    check_miss(DVec3::Z * 1e70, DVec3::new(1.0, 0.0, -1e-300));
-    check_hit(DVec3::Z, DVec3::new(1.0, 0.0, -2.0_f64.powi(-1000)), 2.0_f64.powi(1000));
+    check_miss_in::<f32>(DVec3::Z, DVec3::new(1.0, 0.0, f64::from(-f32::from_bits(1))));
+    check_miss_in::<f64>(DVec3::Z * 1e70, DVec3::new(1.0, 0.0, -1e-300));
+    check_miss_in::<f32>(DVec3::Z * 1e9, DVec3::new(1.0, 0.0, -1e-32));
+    // The last one ahead of infinity.
+    let far = |power: i32| (DVec3::new(1.0, 0.0, -2.0_f64.powi(-power)), 2.0_f64.powi(power));
+    check_far::<f64>(far(1000));
+    check_far::<f32>(far(126));
+}
+
+/// A hit farther away than any scene may be.
+fn check_far<T: Precision>((direction, t): (DVec3, f64)) {
+    let ray = ray::<T>(DVec3::Z, direction);
+    let hit = ground().intersect(&ray).unwrap();
+    assert_eq!((hit.t.to_f64(), hit.face, hit.side), (t, 0, Side::Outside));
+    let found = ground().locate(&ray, &hit);
+    assert_eq!((found.point.to_dvec3(), found.normal.to_dvec3()), (DVec3::X * t, DVec3::Z));
 }
 
 #[test]
@@ -77,7 +117,7 @@ fn c14_from_below_the_normal_points_down() {
 #[test]
 fn c15_on_the_plane_it_is_met_in_no_direction() {
     for level in [0.0, -0.0] {
-        for direction in [DVec3::Z, DVec3::NEG_Z, DVec3::new(1.0, 0.0, -1e-300)] {
+        for direction in [DVec3::Z, DVec3::NEG_Z, DVec3::new(1.0, 0.0, -1e-30)] {
             check_miss(DVec3::new(5.0, 7.0, level), direction);
         }
     }

@@ -10,6 +10,8 @@ pub(crate) trait Precision: Real {
     /// Distance from 1 to the next number: twice the largest relative rounding error.
     const EPSILON: f64;
 
+    /// What a case uses in double and in single precision.
+    fn of<A>(double: A, single: A) -> A;
     /// The nearest number to an exact one.
     fn rounded(value: &Exact) -> Self;
     /// The next larger number.
@@ -23,6 +25,9 @@ pub(crate) trait Precision: Real {
 impl Precision for f64 {
     const EPSILON: f64 = f64::EPSILON;
 
+    fn of<A>(double: A, _single: A) -> A {
+        double
+    }
     fn rounded(value: &Exact) -> Self {
         value.to_f64().value()
     }
@@ -40,6 +45,9 @@ impl Precision for f64 {
 impl Precision for f32 {
     const EPSILON: f64 = 1.192_092_895_507_812_5e-7;
 
+    fn of<A>(_double: A, single: A) -> A {
+        single
+    }
     fn rounded(value: &Exact) -> Self {
         value.to_f32().value()
     }

@@ -8,6 +8,7 @@ use crate::oracle::{
     Body, ExactRay, ExactVector, Meeting, exact, magnitude, nearest, small_angle, square_root,
 };
 use crate::precision::{Precision, bits, ray};
+use crate::shown::check_shown;
 use crate::worst::Worst;
 use archetrace::selfcheck::Random;
 
@@ -36,7 +37,7 @@ impl<T: Precision> Pyramid<T> {
         }
     }
 
-    fn corners(&self) -> [DVec3; 4] {
+    pub(crate) fn corners(&self) -> [DVec3; 4] {
         let w = self.width;
         [(0.0, 0.0), (w, 0.0), (w, w), (0.0, w)].map(|(x, y)| self.corner + DVec3::new(x, y, 0.0))
     }
@@ -100,7 +101,7 @@ impl<T: Precision> Pyramid<T> {
     }
 
     /// The located point: on its face, within the body, with the unit normal of the face.
-    fn check_surface(&self, ray: &Ray<T>, meeting_face: u8) {
+    pub(crate) fn check_surface(&self, ray: &Ray<T>, meeting_face: u8) {
         let crossing = self.shape.intersect(ray).unwrap();
         assert_eq!(crossing.face, meeting_face);
         let found = self.shape.locate(ray, &crossing);
@@ -136,7 +137,8 @@ pub(crate) fn unit<T: Precision>() -> Pyramid<T> {
     Pyramid::new(DVec3::new(-0.5, -0.5, 0.0), 1.0, 1.0)
 }
 
-/// A ray with the unit pyramid in both precisions: `t`, face and side, no tolerance; then point and normal.
+/// A ray with the unit pyramid in both precisions: `t`, face and side, no tolerance; then point and normal, and that a
+/// scene shows the pyramid there by every way of searching it.
 fn check_case(origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, u8, Side)>) {
     check_case_in::<f64>(origin, direction, expected);
     check_case_in::<f32>(origin, direction, expected);
@@ -153,9 +155,12 @@ fn check_case_in<T: Precision>(origin: [f64; 3], direction: [f64; 3], expected: 
     assert_eq!(pyramid.body.meet(&ExactRay::of(&ray)), truth, "{ray:?}");
     let found = found.map(|hit| (hit.t.to_f64(), hit.face, hit.side));
     assert_eq!(found, expected, "{ray:?}");
-    if let Some((_, face, _)) = expected {
+    if let Some((_, face, side)) = expected {
         pyramid.check_surface(&ray, face);
+        let normal = pyramid.shape.locate(&ray, &pyramid.shape.intersect(&ray).unwrap()).normal;
+        assert_eq!(normal.dot(ray.direction) > T::ZERO, side == Side::Inside, "{ray:?}");
     }
+    check_shown(&pyramid.shape, &ray);
 }
 
 #[test]
@@ -167,7 +172,8 @@ fn p01_the_apex_is_met_by_the_first_face() {
     assert_eq!(pyramid.shape.locate(&down, &hit).point, pyramid.shape.apex);
     // Level with the tip, it is touched in one point.
     check_case([-2.0, 0.0, 1.0], [1.0, 0.0, 0.0], Some((2.0, 0, Side::Outside)));
-    check_case([-2.0, 0.0, 1.0 + 1e-6], [1.0, 0.0, 0.0], None);
+    check_case([-2.0, 0.0, f64::from(1.0_f32.next_up())], [1.0, 0.0, 0.0], None);
+    check_case_in::<f64>([-2.0, 0.0, 1.0.up()], [1.0, 0.0, 0.0], None);
 }
 
 #[test]
@@ -191,15 +197,14 @@ fn p04_a_ray_within_the_base_is_met_like_one_within_a_cube_face() {
         check_case([-5.0, 0.5, zero], [1.0, zero, zero], Some((4.5, 0, Side::Outside)));
     }
     check_case([-5.0, 0.0, -1e-30], [1.0, 0.0, 0.0], None);
+    check_case_in::<f64>([-5.0, 0.0, 0.0.down()], [1.0, 0.0, 0.0], None);
+    check_case_in::<f32>([-5.0, 0.0, f64::from(0.0_f32.down())], [1.0, 0.0, 0.0], None);
 }
 
 #[test]
 fn p05_from_below_the_base_is_met() {
     check_case([0.125, 0.125, -1.0], [0.0, 0.0, 1.0], Some((1.0, 4, Side::Outside)));
-    let below = ray::<f64>(DVec3::new(0.1, 0.1, -1.0), DVec3::Z);
-    let hit = unit::<f64>().shape.intersect(&below).unwrap();
-    assert_eq!((hit.t, hit.face, hit.side), (1.0, 4, Side::Outside));
-    assert_eq!(unit::<f64>().shape.locate(&below, &hit).normal, Vector::new(0.0, 0.0, -1.0));
+    check_case([0.1, 0.1, -1.0], [0.0, 0.0, 1.0], Some((1.0, 4, Side::Outside)));
 }
 
 #[test]
@@ -213,14 +218,18 @@ fn p06_from_the_inside_the_exit_is_met() {
 
 #[test]
 fn p06_random_rays_from_the_inside_always_leave() {
-    let mut figures = Figures::new::<f64>("from inside");
-    let pyramid = unit::<f64>();
-    for number in 0..20_000 {
-        let random = &mut Random::new(0x9_0600_0000 + number);
-        let ray = ray(pyramid.inner_point(random), random.direction());
-        check_random(&pyramid, &ray, &mut figures);
-        assert_eq!(pyramid.shape.intersect(&ray).unwrap().side, Side::Inside);
+    fn check<T: Precision>() {
+        let mut figures = Figures::new::<T>("from inside");
+        let pyramid = unit::<T>();
+        for number in 0..20_000 {
+            let random = &mut Random::new(0x9_0600_0000 + number);
+            let ray = ray(pyramid.inner_point(random), random.direction());
+            check_random(&pyramid, &ray, &mut figures);
+            assert_eq!(pyramid.shape.intersect(&ray).unwrap().side, Side::Inside);
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
@@ -231,8 +240,10 @@ fn p07_side_normals_are_exact_to_half_an_epsilon_from_sliver_to_tower() {
         check_normals::<f64>(width, height);
         check_normals::<f32>(width, height);
     }
-    check_normals::<f64>(1.0, 1e-6);
-    check_normals::<f64>(1.0, 1e6);
+    for height in [1e-6, 1e6] {
+        check_normals::<f64>(1.0, height);
+        check_normals::<f32>(1.0, height);
+    }
 }
 
 /// Rays down onto the middle of each side.
@@ -363,21 +374,30 @@ fn p02_p03_no_leaks_far_from_the_origin_f32() {
     check_edges::<f32>("at 1e4", corner, 1.0, 1.0, 0x9_000F_0000);
 }
 
-#[test]
-fn p08_a_needle_afar_is_met_only_where_it_is() {
+fn check_needle<T: Precision>(finest: f64, seed: u64) {
     let width = 1e-6;
-    let pyramid = Pyramid::<f64>::new(centered(width), width, 1.0);
-    let mut figures = Figures::new::<f64>("needle at 1e3");
+    let pyramid = Pyramid::<T>::new(centered(width), width, 1.0);
+    let mut figures = Figures::new::<T>("needle at 1e3");
     for number in 0..50_000 {
-        let random = &mut Random::new(0x9_0800_0000 + number);
+        let random = &mut Random::new(seed + number);
         let aside = random.between(999.0, 1001.0) * if random.coin() { 1.0 } else { -1.0 };
         let origin = DVec3::new(aside, 0.0, random.share());
         // At the outline to within a tenth of a step of the distance, up to the needle's own width.
         let height = random.share();
         let outline = 0.5 * width * (1.0 - height) * if random.coin() { 1.0 } else { -1.0 };
-        let slip = random.between(-1.0, 1.0) * random.magnitude(-14.0, -6.0);
+        let slip = random.between(-1.0, 1.0) * random.magnitude(finest, -6.0);
         let target = DVec3::new(0.0, outline + slip, height);
         check_random(&pyramid, &ray(origin, target - origin), &mut figures);
     }
     assert!(figures.hits > 10_000 && figures.rays - figures.hits > 10_000);
+}
+
+#[test]
+fn p08_a_needle_afar_is_met_only_where_it_is_f64() {
+    check_needle::<f64>(-14.0, 0x9_0800_0000);
+}
+
+#[test]
+fn p08_a_needle_afar_is_met_only_where_it_is_f32() {
+    check_needle::<f32>(-10.0, 0x9_0801_0000);
 }

@@ -4,9 +4,10 @@ use archetrace::geometry::{Convex, Ray};
 use archetrace::selfcheck::Random;
 use glam::DVec3;
 
-use crate::oracle::{ExactRay, nearest};
+use crate::oracle::ExactRay;
 use crate::precision::{Precision, ray};
 use crate::pyramid::{Figures, Pyramid, check_random, unit};
+use crate::shown::check_shown;
 
 /// A ray down through a point of the edge x = 1/2 on the ground, in sixteenths: exactly so, or past it by a few roundings.
 fn towards_common_edge<T: Precision>(random: &mut Random, slipped: bool) -> Ray<T> {
@@ -29,17 +30,25 @@ fn neighbours<T: Precision>() -> [Pyramid<T>; 2] {
 
 #[test]
 fn p10_rays_exactly_through_a_common_base_edge_hit_both_pyramids() {
-    let pair = neighbours::<f64>();
-    for number in 0..50_000 {
-        let random = &mut Random::new(0x9_1000_0000 + number);
-        let ray = towards_common_edge(random, false);
-        for pyramid in &pair {
-            let truth = pyramid.body.meet(&ExactRay::of(&ray)).unwrap();
-            let hit = pyramid.shape.intersect(&ray).unwrap();
-            let found = (hit.t, hit.face, hit.side);
-            assert_eq!(found, (nearest(&truth.t), truth.face, truth.side), "{ray:?}");
+    fn check<T: Precision>() {
+        let pair = neighbours::<T>();
+        for number in 0..50_000 {
+            let random = &mut Random::new(0x9_1000_0000 + number);
+            let ray = towards_common_edge(random, false);
+            for pyramid in &pair {
+                let truth = pyramid.body.meet(&ExactRay::of(&ray)).unwrap();
+                let hit = pyramid.shape.intersect(&ray).unwrap();
+                let found = (hit.t, hit.face, hit.side);
+                assert_eq!(found, (T::rounded(&truth.t), truth.face, truth.side), "{ray:?}");
+                if number < 100 {
+                    pyramid.check_surface(&ray, truth.face);
+                    check_shown(&pyramid.shape, &ray);
+                }
+            }
         }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 /// Each of two pyramids is met where it truly is, and so no ray passes between them but beside the ends of their edge.

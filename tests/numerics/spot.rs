@@ -58,19 +58,31 @@ fn l07_whole_degrees_are_kept_at_all_allowed_lengths_f32() {
 
 #[test]
 fn l07_the_cutoff_itself_is_inside_where_floats_can_say_it() {
-    let lit = |x: f64, z: f64, cutoff| cone::<f64>(DVec3::Z, cutoff).contains(Vector::new(x, 0.0, z));
-    assert!(lit(1.0, 0.0, 90.0) && !lit(1.0, -1e-15, 90.0));
-    assert!(lit(0.0, -1.0, 180.0));
-    assert!(lit(0.0, 1.0, 0.0));
+    fn check<T: Precision>(below: f64) {
+        let lit = |x: f64, z: f64, cutoff| {
+            cone::<T>(DVec3::Z, cutoff).contains(Vector::from_dvec3(DVec3::new(x, 0.0, z)))
+        };
+        assert!(lit(1.0, 0.0, 90.0) && !lit(1.0, below, 90.0));
+        assert!(lit(0.0, -1.0, 180.0));
+        assert!(lit(0.0, 1.0, 0.0));
+    }
+    check::<f64>(-1e-15);
+    check::<f32>(-1e-6);
 }
 
 #[test]
 fn l07_the_cutoff_itself_is_inside_at_45_and_135_degrees() {
-    let lit = |x: f64, z: f64, cutoff| cone::<f64>(DVec3::Z, cutoff).contains(Vector::new(x, 0.0, z));
-    for length in [1.0, 3.0, 0.1, 1e6] {
-        let places = [lit(length, length, 45.0), lit(length, -length, 135.0)];
-        assert_eq!(places, [true, true], "at {length}");
+    fn check<T: Precision>() {
+        let lit = |x: f64, z: f64, cutoff| {
+            cone::<T>(DVec3::Z, cutoff).contains(Vector::from_dvec3(DVec3::new(x, 0.0, z)))
+        };
+        for length in [1.0, 3.0, 0.1, 1e6] {
+            let places = [lit(length, length, 45.0), lit(length, -length, 135.0)];
+            assert_eq!(places, [true, true], "at {length}");
+        }
     }
+    check::<f64>();
+    check::<f32>();
 }
 
 /// Sine of the angle between axis and vector beyond the cutoff, and whether exact arithmetic has it inside.
@@ -123,12 +135,17 @@ fn l08_l09_the_cutoff_is_kept_to_4_epsilon_f32() {
 
 #[test]
 fn l08_vectors_along_the_axis_are_inside_however_their_product_rounds() {
-    for number in 0..20_000 {
-        let random = &mut Random::new(0x1_0800_0000 + number);
-        let axis = random.direction();
-        let v = aside(axis, random.across(axis), random.magnitude(-18.0, -8.0));
-        assert!(cone::<f64>(axis, 1e-5).contains(Vector::from_dvec3(v)), "{axis} {v}");
+    fn check<T: Precision>(cutoff: f64) {
+        for number in 0..20_000 {
+            let random = &mut Random::new(0x1_0800_0000 + number);
+            let axis = random.direction();
+            let v = aside(axis, random.across(axis), random.magnitude(-18.0, -8.0));
+            assert!(cone::<T>(axis, cutoff).contains(Vector::from_dvec3(v)), "{axis} {v}");
+        }
     }
+    // Wider than what rounding the two directions may turn them by.
+    check::<f64>(1e-5);
+    check::<f32>(1e-3);
 }
 
 #[test]
@@ -151,15 +168,19 @@ fn l09_a_hundredth_of_a_degree_is_kept_to_a_billionth_of_itself() {
 
 #[test]
 fn l10_cutoff_0_lights_the_axis_and_nothing_else() {
-    for axis in [DVec3::X, DVec3::Y, DVec3::NEG_Z] {
-        let cone = cone::<f64>(axis, 0.0);
-        for length in [1e-6, 1.0, 3.0, 1e6] {
-            assert!(cone.contains(Vector::from_dvec3(axis * length)));
-            assert!(!cone.contains(Vector::from_dvec3(-axis * length)));
+    fn check<T: Precision>(slip: f64) {
+        for axis in [DVec3::X, DVec3::Y, DVec3::NEG_Z] {
+            let cone = cone::<T>(axis, 0.0);
+            for length in [1e-6, 1.0, 3.0, 1e6] {
+                assert!(cone.contains(Vector::from_dvec3(axis * length)));
+                assert!(!cone.contains(Vector::from_dvec3(-axis * length)));
+            }
+            let beside = axis + DVec3::new(axis.y, axis.z, axis.x) * slip;
+            assert!(!cone.contains(Vector::from_dvec3(beside)));
         }
-        let beside = axis + DVec3::new(axis.y, axis.z, axis.x) * 1e-12;
-        assert!(!cone.contains(Vector::from_dvec3(beside)));
     }
+    check::<f64>(1e-12);
+    check::<f32>(1e-5);
 }
 
 #[test]
@@ -170,8 +191,9 @@ fn l10_cutoff_0_lights_its_own_target() {
         let random = &mut Random::new(0x1_1000_0000 + number);
         let axis = DVec3::new(random.whole(-9, 9), random.whole(-9, 9), random.whole(1, 9));
         dark += u32::from(!cone::<f64>(axis, 0.0).contains(Vector::from_dvec3(axis)));
+        dark += u32::from(!cone::<f32>(axis, 0.0).contains(Vector::from_dvec3(axis)));
     }
-    assert_eq!(dark, 0, "of 1000 targets");
+    assert_eq!(dark, 0, "of 1000 targets in two precisions");
 }
 
 #[test]
@@ -193,6 +215,7 @@ fn l10_a_narrow_cone_lights_nothing_behind() {
         let cutoff = random.between(0.0, 89.9);
         let behind = aside(-axis, random.across(axis), random.magnitude(-18.0, -3.0));
         assert!(!cone::<f64>(axis, cutoff).contains(Vector::from_dvec3(behind)), "{axis} {cutoff}");
+        assert!(!cone::<f32>(axis, cutoff).contains(Vector::from_dvec3(behind)), "{axis} {cutoff}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! Texels at the ends of a cell, and of an image of one texel.
 
 use archetrace::effects::{cell_point, texel_index};
+use archetrace::geometry::Real;
 
 use crate::precision::Precision;
 use archetrace::selfcheck::Random;
@@ -35,10 +36,14 @@ fn q08_every_place_has_a_texel_f32() {
 
 #[test]
 fn q08_a_hair_below_a_cell_edge_is_the_last_texel_of_the_cell_before() {
-    let at = cell_point(-1e-17, 0.0, 1.0);
-    assert!(!at.white);
-    assert_eq!(texel_index(at.along_x, 16), 15);
-    assert_eq!(texel_index(at.along_y, 16), 0);
+    fn check<T: Precision>() {
+        let at = cell_point(T::from_f64(-1e-17), T::ZERO, T::ONE);
+        assert!(!at.white);
+        assert_eq!(texel_index(at.along_x, 16), 15);
+        assert_eq!(texel_index(at.along_y, 16), 0);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
@@ -47,6 +52,7 @@ fn q08_texels_share_a_cell_evenly() {
         for texel in 0..size {
             let middle = (f64::from(texel) + 0.5) / f64::from(size);
             assert_eq!(texel_index(middle, size), texel);
+            assert_eq!(texel_index(f32::from_f64(middle), size), texel);
         }
     }
 }

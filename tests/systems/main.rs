@@ -16,6 +16,7 @@ mod effect_columns;
 mod effects;
 mod extraction;
 mod frames;
+mod hard_messages;
 mod problems;
 #[path = "../support/mod.rs"]
 mod support;

@@ -1,6 +1,7 @@
 //! The cube.
 
 use super::{Meeting, Span, Straight};
+use crate::geometry::clip::is_close;
 use crate::geometry::{CubeShape, Ray, Real, SurfacePoint, Vector};
 
 impl<T: Real> CubeShape<T> {
@@ -32,7 +33,7 @@ impl<T: Real> Straight<T> for CubeShape<T> {
         Self::cut(&mut span, [low.x, high.x], ray.direction.x, [0, 1]);
         Self::cut(&mut span, [low.y, high.y], ray.direction.y, [2, 3]);
         Self::cut(&mut span, [low.z, high.z], ray.direction.z, [4, 5]);
-        span.first_ahead()
+        span.first_ahead(is_close(span.enter, span.leave) & !span.outside)
     }
 
     #[inline(always)]

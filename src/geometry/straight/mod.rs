@@ -8,7 +8,6 @@ mod plane;
 mod pyramid;
 mod sphere;
 
-use super::clip::is_close;
 use super::{Convex, Crossing, Ray, Real, Side, SurfacePoint};
 
 /// A crossing, or none, in plain numbers.
@@ -97,13 +96,13 @@ impl<T: Real> Span<T> {
         self.leave_face = if earlier { face } else { self.leave_face };
     }
 
+    /// The first end ahead of `t = 0`, unless unsure.
     #[inline(always)]
-    fn first_ahead(&self) -> Meeting<T> {
+    fn first_ahead(&self, unsure: bool) -> Meeting<T> {
         let outside = self.enter > T::ZERO;
         let t = if outside { self.enter } else { self.leave };
         let face = if outside { self.enter_face } else { self.leave_face };
         let is_empty = self.outside | (self.enter > self.leave);
-        let unsure = is_close(self.enter, self.leave) & !self.outside;
         let meets = !is_empty & !unsure & (t > T::ZERO) & (t < T::INFINITY);
         Meeting { t: if meets { t } else { T::NAN }, face, inside: !outside, unsure }
     }

@@ -1,17 +1,28 @@
 //! The pyramid.
 
 use super::{Meeting, Span, Straight};
-use crate::geometry::pyramid::{BASE, SIDES};
+use crate::geometry::pyramid::{BASE, across, is_certain, least};
 use crate::geometry::{PyramidShape, Ray, Real, SurfacePoint, Vector};
 
 impl<T: Real> PyramidShape<T> {
     #[inline(always)]
     fn cut(span: &mut Span<T>, room: T, slope: T, face: u32) {
+        // A slope of 0 is in no hurry: what it leads to is unsure.
+        let t = room / slope;
+        let enters = slope < T::ZERO;
+        span.enter_at(if enters { t } else { -T::INFINITY }, face);
+        span.leave_at(if enters { T::INFINITY } else { t }, face);
+    }
+
+    /// The half-space above the base, to which level rays are parallel.
+    #[inline(always)]
+    fn cut_base(&self, span: &mut Span<T>, ray: &Ray<T>) {
+        let (room, slope) = (ray.origin.z - self.base, -ray.direction.z);
         let t = room / slope;
         let enters = slope < T::ZERO;
         let leaves = slope > T::ZERO;
-        span.enter_at(if enters { t } else { -T::INFINITY }, face);
-        span.leave_at(if leaves { t } else { T::INFINITY }, face);
+        span.enter_at(if enters { t } else { -T::INFINITY }, BASE.into());
+        span.leave_at(if leaves { t } else { T::INFINITY }, BASE.into());
         span.outside |= !enters & !leaves & (room < T::ZERO);
     }
 
@@ -39,22 +50,23 @@ impl<T: Real> Straight<T> for PyramidShape<T> {
     #[inline(always)]
     fn meet(&self, ray: &Ray<T>) -> Meeting<T> {
         let mut span = Span::whole();
-        let to_apex = self.apex - ray.origin;
-        let (room_0, slope_0) = self.side(ray, to_apex, SIDES[0]);
-        let (room_1, slope_1) = self.side(ray, to_apex, SIDES[1]);
-        let (room_2, slope_2) = self.side(ray, to_apex, SIDES[2]);
-        let (room_3, slope_3) = self.side(ray, to_apex, SIDES[3]);
+        let (room, slope) = (self.products(self.apex - ray.origin), self.products(ray.direction));
+        let ([room_0, room_1, room_2, room_3], [slope_0, slope_1, slope_2, slope_3]) =
+            (across(room), across(slope));
         Self::cut(&mut span, room_0, slope_0, 0);
         Self::cut(&mut span, room_1, slope_1, 1);
         Self::cut(&mut span, room_2, slope_2, 2);
         Self::cut(&mut span, room_3, slope_3, 3);
-        Self::cut(&mut span, ray.origin.z - self.base, -ray.direction.z, u32::from(BASE));
-        let meeting = span.first_ahead();
+        self.cut_base(&mut span, ray);
+        let is_certain = is_certain(room, slope, least(slope), [span.enter, span.leave]);
+        let meeting = span.first_ahead(!is_certain & !span.outside);
         // Few rays start within, and of those the kernel with branches tells whether they leave from a face.
         let starts_within = meeting.inside & (meeting.t > T::ZERO);
-        let is_along_side = self.is_along_side(ray, [slope_0, slope_1, slope_2, slope_3]);
-        let unsure = meeting.unsure | starts_within | is_along_side;
-        Meeting { t: if unsure { T::NAN } else { meeting.t }, unsure, ..meeting }
+        Meeting {
+            t: if starts_within { T::NAN } else { meeting.t },
+            unsure: meeting.unsure | starts_within,
+            ..meeting
+        }
     }
 
     #[inline(always)]

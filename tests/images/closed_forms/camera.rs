@@ -4,7 +4,7 @@ use archetrace::components::{Lens, Mirror, Position, Sphere};
 use archetrace::geometry::Real;
 use glam::DVec3;
 
-use super::{View, lamp, wall_ahead, wall_behind, white};
+use super::{View, lamp, seen, wall_ahead, wall_behind, white};
 use crate::support::picture::Picture;
 use crate::support::tracing::trace;
 
@@ -36,8 +36,7 @@ fn the_far_plane_does_not_end_reflected_rays() {
     let mut world = View { level: 2, ..short_view() }.world();
     world.spawn((wall_ahead(1.0), white(0.0, 0.0), Mirror(0.5)));
     world.spawn((wall_behind(-300.0), white(1.0, 0.0)));
-    let picture = trace::<f64>(&mut world).picture;
-    assert_eq!(picture.middle(), [0.5; 3]);
+    assert_eq!(seen(&mut world).0, [0.5; 3]);
 }
 
 #[test]
@@ -49,7 +48,7 @@ fn the_far_plane_does_not_end_shadow_rays() {
         if blocked {
             world.spawn((Sphere { radius: 5.0 }, Position::new(0.0, -300.0, 0.0)));
         }
-        trace::<f64>(&mut world).picture.middle()
+        seen(&mut world).0
     };
     assert_eq!(lit(false), [0.75; 3]);
     assert_eq!(lit(true), [0.25; 3]);
@@ -61,9 +60,9 @@ fn what_lies_before_the_near_plane_is_not_seen_but_casts_shadows() {
     world.spawn((wall_ahead(0.0), white(0.25, 0.5)));
     world.spawn((Sphere { radius: 0.5 }, Position::new(0.0, -9.0, 0.0), white(1.0, 0.0)));
     let light = world.spawn(lamp(0.0, -8.2, 0.0)).id();
-    assert_eq!(trace::<f64>(&mut world).picture.middle(), [0.75; 3]);
+    assert_eq!(seen(&mut world).0, [0.75; 3]);
     world.entity_mut(light).insert(Position::new(0.0, -12.0, 0.0));
-    assert_eq!(trace::<f64>(&mut world).picture.middle(), [0.25; 3]);
+    assert_eq!(seen(&mut world).0, [0.25; 3]);
 }
 
 #[test]
@@ -72,7 +71,7 @@ fn an_object_across_the_near_plane_is_seen_from_within() {
     let mut world = View { pixels: 1, ..short_view() }.world();
     world.spawn((Sphere { radius: 2.0 }, Position::new(0.0, -9.0, 0.0), white(0.125, 0.5)));
     world.spawn(lamp(0.0, -7.5, 0.0));
-    assert_eq!(trace::<f64>(&mut world).picture.middle(), [0.625; 3]);
+    assert_eq!(seen(&mut world).0, [0.625; 3]);
 }
 
 #[test]
@@ -101,4 +100,7 @@ fn a_single_pixel_looks_along_the_axis() {
     let place = view.position + 500.0 * look;
     world.spawn((Sphere { radius: 1e-9 }, Position(place), white(1.0, 0.0)));
     assert_eq!(trace::<f64>(&mut world).picture.middle(), [1.0; 3]);
+    // Single numbers place it to 3e-5.
+    world.spawn((Sphere { radius: 1e-4 }, Position(place), white(1.0, 0.0)));
+    assert_eq!(seen(&mut world).0, [1.0; 3]);
 }

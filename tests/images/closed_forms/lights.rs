@@ -25,10 +25,10 @@ fn times(strength: f64) -> [f64; 3] {
     OWN.map(|channel| channel * strength)
 }
 
-/// The middle pixel, and shadow rays cast.
+/// The middle pixel, and shadow rays cast, in both precisions.
 fn seen(world: &mut World) -> ([f64; 3], u64) {
-    let traced = trace::<f64>(world);
-    (traced.picture.middle(), traced.counts.rays.shadow)
+    let (color, rays) = super::seen(world);
+    (color, rays.shadow)
 }
 
 #[test]
@@ -181,9 +181,10 @@ fn an_opaque_sphere_keeps_the_light_within() {
     world.spawn((Sphere { radius: 3.0 }, Position::new(0.0, 0.0, 3.0), white(0.0, 1.0)));
     world.spawn((Cube { side: 3.0 }, Position::new(4.0, 0.0, 0.0), white(0.0, 1.0)));
     world.spawn(lamp(0.5, 0.5, 4.0));
-    let traced = trace::<f64>(&mut world);
-    assert!(traced.picture.pixels.iter().all(|&pixel| pixel == [0.0; 3]));
-    assert!(traced.counts.rays.shadow > 1000);
+    for traced in [trace::<f64>(&mut world), trace::<f32>(&mut world)] {
+        assert!(traced.picture.pixels.iter().all(|&pixel| pixel == [0.0; 3]));
+        assert!(traced.counts.rays.shadow > 1000);
+    }
 }
 
 /// The ground from above, lit from (0, 0, 10) by a light with this cone.

@@ -17,8 +17,11 @@ mod soft_shadows;
 mod ties;
 
 use archetrace::components::{Ambient, CameraPose, Color, Cube, Diffuse, Lens, Light, Position, Snapshot};
+use archetrace::trace::RayCounts;
 use bevy_ecs::prelude::*;
 use glam::DVec3;
+
+use crate::support::tracing::trace;
 
 /// How a World is looked at.
 #[derive(Clone, Copy)]
@@ -98,6 +101,19 @@ fn wall_ahead(y: f64) -> (Cube, Position) {
 /// A cube of 1000 units a side whose upper face in y lies at `y`.
 fn wall_behind(y: f64) -> (Cube, Position) {
     (Cube { side: 1000.0 }, Position::new(-500.0, y - 1000.0, -500.0))
+}
+
+/// The middle pixel, and the rays by kind: in single precision the same up to four roundings of its own.
+#[track_caller]
+fn seen(world: &mut World) -> ([f64; 3], RayCounts) {
+    let (double, single) = (trace::<f64>(world), trace::<f32>(world));
+    assert_eq!(double.counts.rays, single.counts.rays);
+    let (double_color, single_color) = (double.picture.middle(), single.picture.middle());
+    for (found, expected) in single_color.into_iter().zip(double_color) {
+        let allowed = 4.0 * f64::from(f32::EPSILON) * expected.abs();
+        assert!((found - expected).abs() <= allowed, "f32: {single_color:?}, f64: {double_color:?}");
+    }
+    (double_color, double.counts.rays)
 }
 
 /// Equal up to four roundings.
