@@ -1,7 +1,7 @@
 //! One frame of a scene, for `benches/idle_effects.sh` to count instructions of.
 //!
 //! Usage: `idle_effects PIXELS SCENE` traces a scene file, or a picture of the gallery by its name, in one thread with one
-//! sample a pixel, and prints the sum of all pixels; `idle_effects SCENE` prints the effects that it asks for.
+//! sample a pixel and the instructions that every processor has, and prints the sum of all pixels; `idle_effects SCENE` prints the effects that it asks for.
 #![allow(clippy::print_stdout, reason = "the script reads it")]
 
 use std::error::Error;
@@ -11,6 +11,7 @@ use archetrace::components::{Sampling, Snapshot};
 use archetrace::effects::Effect;
 use archetrace::scene::{Source, spawn};
 use archetrace::systems::{Frame, Tables, Workers, extract_schedule, prepare, trace_schedule};
+use archetrace::trace::Simd;
 use bevy_ecs::prelude::*;
 
 #[path = "../scenes/gallery/exhibits.rs"]
@@ -40,7 +41,10 @@ fn extracted(scene: &str) -> Result<World, Box<dyn Error>> {
         None => world_of_file(scene)?,
     };
     world.insert_resource(Sampling { side: 1 });
-    prepare::<f64>(&mut world, Workers::new(Some(NonZeroUsize::MIN))?);
+    let workers = Workers::new(Some(NonZeroUsize::MIN))?;
+    // The least is first.
+    let level = Simd::available().into_iter().next().unwrap_or(Simd::detect());
+    prepare::<f64>(&mut world, workers.with_simd(level));
     extract_schedule::<f64>().run(&mut world);
     Ok(world)
 }

@@ -19,7 +19,6 @@ pub(super) struct PixelSpot<T> {
 }
 
 /// The [`own_color`] of an object, averaged over what the pixel covers of it where a filter asks for that.
-#[inline(always)]
 pub(super) fn filtered_color<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     object: ObjectId,

@@ -60,23 +60,23 @@ struct LightSums<T> {
     trail: Trail,
 }
 
-impl<T: Real> Lighting<'_, T> {
-    /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`. The lights that reach it
-    /// are noted in the trail.
-    #[inline(always)]
-    pub(super) fn shade<const EFFECTS: u32>(
-        &self,
-        own: Rgb<T>,
-        trail: &mut Trail,
-        counts: &mut Counts,
-    ) -> Rgb<T> {
-        let surface = self.surface;
-        let sums = self.gather::<EFFECTS>(*trail, counts);
-        *trail = sums.trail;
-        let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
-        own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
-    }
+/// Ambient, diffuse and specular radiance of a point: `own * (a + d * lambert + s * phong)`. The lights that reach it are
+/// noted in the trail.
+pub(super) fn shade<T: Real, const EFFECTS: u32>(
+    lighting: &Lighting<'_, T>,
+    own: Rgb<T>,
+    trail: &mut Trail,
+    counts: &mut Counts,
+) -> Rgb<T> {
+    let surface = lighting.surface;
+    let sums = lighting.gather::<EFFECTS>(*trail, counts);
+    *trail = sums.trail;
+    let gloss = known::<EFFECTS, _>(Effect::Gloss, surface.gloss);
+    let specular = gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
+    own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
+}
 
+impl<T: Real> Lighting<'_, T> {
     #[inline(always)]
     fn gather<const EFFECTS: u32>(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
         let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail };
@@ -123,7 +123,7 @@ impl<T: Real> Lighting<'_, T> {
     }
 
     /// Light from a unit direction.
-    #[inline(never)]
+    #[inline(always)]
     fn add_parallel<const EFFECTS: u32>(
         &self,
         row: usize,
@@ -137,7 +137,7 @@ impl<T: Real> Lighting<'_, T> {
     }
 
     /// Light from samples of a ball.
-    #[inline(never)]
+    #[inline(always)]
     fn add_ball<const EFFECTS: u32>(
         &self,
         row: usize,
@@ -160,6 +160,7 @@ impl<T: Real> Lighting<'_, T> {
     }
 
     /// Each pair of ray and light draws points of its own.
+    #[inline(always)]
     fn purpose(&self, row: usize) -> Purpose {
         // Lights are far fewer than 2^32.
         let [row, lights] = [row, self.tables.lights.len()].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
@@ -181,32 +182,37 @@ impl<T: Real> Lighting<'_, T> {
         if color == Some(&Rgb::BLACK) || self.is_hidden(segment, reach, counts) {
             return;
         }
-        match color {
-            Some(&color) => self.shine_in_color(row, to_light(), color * scale, sums),
-            None => self.shine(row, to_light(), Rgb::gray(scale), sums),
-        }
-    }
-
-    #[inline(never)]
-    fn shine_in_color(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
-        self.shine(row, to_light, color, sums);
+        let color = color.map_or(Rgb::gray(scale), |&color| color * scale);
+        self.shine::<EFFECTS>(row, to_light(), color, sums);
     }
 
     #[inline(always)]
     fn is_hidden(&self, segment: Vector<T>, reach: T, counts: &mut Counts) -> bool {
         counts.rays.shadow += 1;
         let ray = Ray { origin: self.shaded.point, direction: segment };
-        is_occluded(self.tables, &ray, &self.shaded.departure, reach)
+        is_hidden(self.tables, &ray, &self.shaded.departure, reach)
     }
 
     #[inline(always)]
-    fn shine(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
+    fn shine<const EFFECTS: u32>(
+        &self,
+        row: usize,
+        to_light: Vector<T>,
+        color: Rgb<T>,
+        sums: &mut LightSums<T>,
+    ) {
         sums.trail = sums.trail.lit_by(row);
         sums.lambert += color * lambert(to_light, self.shaded.normal);
-        if let Some(gloss) = self.surface.gloss {
+        if let Some(gloss) = known::<EFFECTS, _>(Effect::Gloss, self.surface.gloss) {
             sums.phong += color * phong(self.mirrored, to_light, gloss.shininess);
         }
     }
+}
+
+/// [`is_occluded`], once for all that shades.
+#[inline(never)]
+fn is_hidden<T: Real>(tables: &SceneTables<T>, ray: &Ray<T>, departure: &Departure, reach: T) -> bool {
+    is_occluded(tables, ray, departure, reach)
 }
 
 /// The own colour of an object at a point: plain, or the pattern or image of a checkerboard.
