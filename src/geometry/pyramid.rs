@@ -47,6 +47,13 @@ impl<T: Real> PyramidShape<T> {
         (room, slope)
     }
 
+    /// Those of all side faces. One by one: whether closures of arrays are inlined is the compiler's mood.
+    #[inline(always)]
+    fn sides(&self, ray: &Ray<T>, to_apex: Vector<T>) -> [(T, T); 4] {
+        let side = |index: usize| self.side(ray, to_apex, SIDES[index]);
+        [side(0), side(1), side(2), side(3)]
+    }
+
     /// What the half-spaces leave of a ray's line; `None` where it is parallel to one and outside.
     #[inline(always)]
     fn clip(&self, ray: &Ray<T>, sides: [(T, T); 4]) -> Option<Span<T>> {
@@ -87,7 +94,7 @@ impl<T: Real> PyramidShape<T> {
     #[inline(never)]
     fn intersect_along(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
         let to_apex = self.apex - ray.origin;
-        let sides = SIDES.map(|side| self.side(ray, to_apex, side));
+        let sides = self.sides(ray, to_apex);
         let four = T::TWO * T::TWO;
         let is_clear = |((axis, _), (room, slope)): ((usize, bool), (T, T))| {
             let size = self.height * to_apex[axis].abs() + self.half_width * to_apex.z.abs();
@@ -149,9 +156,10 @@ impl<T: Real> Convex<T> for PyramidShape<T> {
     #[inline(always)]
     fn intersect(&self, ray: &Ray<T>) -> Option<Crossing<T>> {
         let to_apex = self.apex - ray.origin;
-        let sides = SIDES.map(|side| self.side(ray, to_apex, side));
+        let sides = self.sides(ray, to_apex);
+        let slopes = [sides[0].1, sides[1].1, sides[2].1, sides[3].1];
         let crossing = match self.clip(ray, sides) {
-            _ if self.is_along_side(ray, sides.map(|(_, slope)| slope)) => self.intersect_along(ray),
+            _ if self.is_along_side(ray, slopes) => self.intersect_along(ray),
             Some(span) if span.is_close() => self.intersect_exactly(ray),
             span => span?.first_ahead(),
         }?;

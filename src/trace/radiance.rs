@@ -159,8 +159,9 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
             _ => surface.color,
         };
         let look = Look { sample: self.sample, ray: self.rays };
-        let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
-        self.found.color += (self.stages.shade)(&lighting, own, &mut self.found.trail, counts) * weight;
+        let stages = self.stages;
+        let lighting = Lighting { tables, stages, shaded: &shaded, surface: &surface, mirrored, look };
+        self.found.color += lighting.shade(own, &mut self.found.trail, counts) * weight;
 
         let reflected = Path {
             ray: Ray { origin: shaded.point, direction: mirrored },
@@ -266,6 +267,7 @@ impl<T: Real> Pane<'_, T> {
         }
     }
 
+    #[inline(always)]
     fn split(&self) -> Split<T> {
         let (direction, normal, index) = (self.direction, self.normal, self.glass.index);
         match (self.hit.object.kind, self.hit.crossing.side) {

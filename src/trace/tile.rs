@@ -209,6 +209,7 @@ struct Strip<'a, 'b> {
 }
 
 impl Strip<'_, '_> {
+    #[inline(always)]
     fn rows(&self) -> u32 {
         (self.band.height() - self.row).min(BLOCK_SIDE)
     }
