@@ -17,7 +17,7 @@ pub struct Workers {
     pub(super) pool: Arc<ThreadPool>,
     pub(super) tile_size: u32,
     pub(super) simd: Simd,
-    /// The smallest kernel that is used.
+    /// Every kernel that is used has what this one has.
     least: Kernel,
 }
 
@@ -43,7 +43,7 @@ impl Workers {
         Self { simd, ..self }
     }
 
-    /// The same threads with no smaller kernel than this one, whatever a scene asks for.
+    /// The same threads with kernels that have what this one has, whatever a scene asks for.
     #[must_use]
     pub fn with_least_kernel(self, least: Kernel) -> Self {
         Self { least, ..self }
@@ -51,7 +51,7 @@ impl Workers {
 
     /// The kernel for these effects.
     pub fn kernel_for(&self, effects: EffectSet) -> Kernel {
-        Kernel::smallest_for(effects).max(self.least)
+        Kernel::smallest_for(effects.union(self.least.effects()))
     }
 
     /// Number of threads.

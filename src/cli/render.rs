@@ -26,7 +26,7 @@ use super::stop::stop_flag;
 use super::{CliError, say};
 
 fn workers(args: &RenderArgs) -> Result<Workers, CliError> {
-    let least = if args.all_effects { Kernel::Everything } else { Kernel::Plain };
+    let least = if args.all_effects { Kernel::EVERYTHING } else { Kernel::Plain };
     Ok(Workers::new(args.picture.threads)?.with_least_kernel(least))
 }
 

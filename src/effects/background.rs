@@ -15,6 +15,7 @@ pub struct Gradient<T> {
 
 impl<T: Real> Gradient<T> {
     /// The colour in a unit direction: in proportion to its height. Where both ends are the same, exactly that.
+    #[inline(always)]
     pub fn toward(&self, direction: Vector<T>) -> Rgb<T> {
         let height = (T::ONE + direction.z) / T::TWO;
         let part = |below: T, above: T| below + (above - below) * height;

@@ -17,6 +17,7 @@ pub fn white_share<T: Real>(at: CellPoint<T>, [along_x, along_y]: [T; 2]) -> T {
 }
 
 /// The mean over `width` around `middle` (0 to 1) of the square wave that is 1 from 0 to 1 and -1 from there to 2.
+#[inline(always)]
 fn mean_wave<T: Real>(middle: T, width: T) -> T {
     let half = width / T::TWO;
     let (from, to) = (middle - half, middle + half);
@@ -31,6 +32,7 @@ fn mean_wave<T: Real>(middle: T, width: T) -> T {
 }
 
 /// The integral of the square wave from 0: the distance from the nearest even number.
+#[inline(always)]
 fn integral<T: Real>(x: T) -> T {
     let even = T::TWO * ((x + T::ONE) / T::TWO).floor();
     (x - even).abs()

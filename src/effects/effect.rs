@@ -159,6 +159,12 @@ impl EffectSet {
         self.0 == 0
     }
 
+    /// These and one more.
+    #[must_use]
+    pub const fn with(self, effect: Effect) -> Self {
+        Self(self.0 | 1 << effect as u32)
+    }
+
     /// These but for one.
     #[must_use]
     pub const fn without(self, effect: Effect) -> Self {
@@ -195,6 +201,7 @@ mod tests {
             let others = EffectSet::ALL.without(effect);
             assert!(others.is_subset(EffectSet::ALL) && !EffectSet::ALL.is_subset(others));
             assert!(!others.contains(effect) && others.iter().count() == Effect::ALL.len() - 1);
+            assert_eq!(others.with(effect), EffectSet::ALL);
         }
     }
 }

@@ -15,6 +15,7 @@ pub struct Haze<T> {
 
 impl<T: Real> Haze<T> {
     /// The share of the light that is left after a distance: `exp(-density * distance)`.
+    #[inline(always)]
     pub fn left_after(&self, distance: T) -> T {
         (-(self.density * distance)).exp()
     }

@@ -14,6 +14,7 @@ pub struct Split<T> {
 /// Splits a ray of unit `direction` at a boundary with unit `normal` on the ray's own side, by the laws of Snell and,
 /// for light that is not polarised, Fresnel. `ratio` is the index of refraction on the ray's side by that on the other.
 /// At a ratio of 1 the ray goes straight on, to the bit.
+#[inline(never)]
 pub fn split<T: Real>(direction: Vector<T>, normal: Vector<T>, ratio: T) -> Split<T> {
     if ratio == T::ONE {
         return Split { reflected: T::ZERO, refracted: Some(direction) };
@@ -33,18 +34,21 @@ pub fn split<T: Real>(direction: Vector<T>, normal: Vector<T>, ratio: T) -> Spli
 
 /// Splits a ray at a sheet of glass so thin that what passes it goes straight on: light is reflected to and fro between
 /// its faces, and of the share `f` of one face the sum of all turns is `2 f / (1 + f)`.
+#[inline(never)]
 pub fn split_at_sheet<T: Real>(direction: Vector<T>, normal: Vector<T>, ratio: T) -> Split<T> {
     let Split { reflected: face, refracted } = split(direction, normal, ratio);
     Split { reflected: T::TWO * face / (T::ONE + face), refracted: refracted.map(|_| direction) }
 }
 
 /// Fresnel's share of reflected light, the mean of both polarisations.
+#[inline(always)]
 fn fresnel<T: Real>(cosine: T, refracted_cosine: T, ratio: T) -> T {
     let perpendicular = amplitude(ratio * cosine, refracted_cosine);
     let parallel = amplitude(ratio * refracted_cosine, cosine);
     (perpendicular * perpendicular + parallel * parallel) / T::TWO
 }
 
+#[inline(always)]
 fn amplitude<T: Real>(a: T, b: T) -> T {
     (a - b) / (a + b)
 }

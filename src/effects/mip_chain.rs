@@ -44,6 +44,7 @@ impl MipChain {
 
     /// The colour around a position from the left and from the top, each 0 to 1, averaged over about `covered` texels of
     /// the image along each axis: between the two copies whose texels are next in size.
+    #[inline(never)]
     pub fn color<T: Real>(&self, image: &Texture, at: [T; 2], covered: T) -> Rgb<T> {
         let doublings = libm::log2(covered.to_f64()).clamp(0.0, f64::from(self.last()));
         let finer = doublings.floor();
@@ -53,10 +54,12 @@ impl MipChain {
     }
 
     /// Number of the smallest copy; 0 is the image.
+    #[inline(always)]
     fn last(&self) -> u32 {
         u32::try_from(self.copies.len()).unwrap_or(u32::MAX)
     }
 
+    #[inline(never)]
     fn level<T: Real>(&self, image: &Texture, at: [T; 2], number: f64) -> Rgb<T> {
         let before = self.copies.iter().zip(1_u32..).find(|&(_, level)| f64::from(level) == number);
         match before {
@@ -69,6 +72,7 @@ impl MipChain {
 }
 
 impl Copy {
+    #[inline(always)]
     fn texel(&self, column: u32, row: u32) -> [f64; 3] {
         self.texels[row as usize * self.width as usize + column as usize].map(f64::from)
     }

@@ -15,6 +15,7 @@ pub fn texel_index<T: Real>(along: T, size: u32) -> u32 {
 
 /// The colour of an image at a position from the left and from the top, each 0 to 1: that of the nearest four texels,
 /// in proportion to how near their centres are. Beyond the outermost centres their colours go on.
+#[inline(never)]
 pub fn bilinear_color<T: Real>(image: &Texture, at: [T; 2]) -> Rgb<T> {
     bilinear([image.width(), image.height()], at, |column, row| {
         byte_color(image.texel(column, row).map(f64::from))
@@ -22,6 +23,7 @@ pub fn bilinear_color<T: Real>(image: &Texture, at: [T; 2]) -> Rgb<T> {
 }
 
 /// The same for whatever has texels.
+#[inline(always)]
 pub(super) fn bilinear<T: Real>(
     [width, height]: [u32; 2],
     [from_left, from_top]: [T; 2],
@@ -34,6 +36,7 @@ pub(super) fn bilinear<T: Real>(
 }
 
 /// Between the centres of which two texels a position lies, and how far from the first to the second.
+#[inline(always)]
 fn neighbours<T: Real>(along: T, size: u32) -> (u32, u32, T) {
     let half = T::ONE / T::TWO;
     let last = T::from_u32(size - 1);
@@ -43,12 +46,14 @@ fn neighbours<T: Real>(along: T, size: u32) -> (u32, u32, T) {
 }
 
 /// From one colour, at 0, to another, at 1; between equal ones nothing changes.
+#[inline(always)]
 pub(super) fn blend<T: Real>(from: Rgb<T>, to: Rgb<T>, share: T) -> Rgb<T> {
     let channel = |from: T, to: T| from + (to - from) * share;
     Rgb { r: channel(from.r, to.r), g: channel(from.g, to.g), b: channel(from.b, to.b) }
 }
 
 /// A colour in units of a byte: 255 is 1.
+#[inline(always)]
 pub(super) fn byte_color<T: Real>([r, g, b]: [f64; 3]) -> Rgb<T> {
     let scale = |channel: f64| T::from_f64(channel) / T::from_u32(255);
     Rgb { r: scale(r), g: scale(g), b: scale(b) }

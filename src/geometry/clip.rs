@@ -86,6 +86,7 @@ impl<T: Real> Span<T> {
         Crossing { t: leaving.t.at_least(T::ZERO), ..leaving }
     }
 
+    #[inline(always)]
     fn leaving(&self) -> Crossing<T> {
         Crossing { t: self.leave, face: self.leave_face, side: Side::Inside }
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::components::{CameraPose, Lens};
-use crate::effects::Rgb;
+use crate::effects::{EffectSet, Rgb};
 use crate::film::Film;
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
@@ -81,9 +81,10 @@ fn film<T: Real>(exposure: &Exposure<'_, T>, simd: Simd, counts: &mut Counts) ->
     Some(film)
 }
 
-/// All vector instructions with all kernels.
-fn paths() -> impl Iterator<Item = (Simd, Kernel)> {
-    Simd::available().into_iter().flat_map(|simd| Kernel::ALL.map(|kernel| (simd, kernel)))
+/// All vector instructions with all kernels that have some effects.
+fn paths(effects: EffectSet) -> impl Iterator<Item = (Simd, Kernel)> {
+    let levels = Simd::available().into_iter();
+    levels.flat_map(move |simd| Kernel::all_for(effects).map(move |kernel| (simd, kernel)))
 }
 
 /// Pixels of random scenes that are not the same to the bit on every path, or not finite.
@@ -97,7 +98,7 @@ pub fn check_pictures<T: Real>(scenes: u64, seed: u64) -> Tally {
         let mut counts = Counts::default();
         let truth: Vec<_> =
             (0..PIXELS * PIXELS).map(|index| ray_by_ray(&exposure, index, &mut counts)).collect();
-        for (simd, kernel) in paths().filter(|&(_, kernel)| kernel >= exposure.kernel) {
+        for (simd, kernel) in paths(tables.effects()) {
             let found = film(&Exposure { kernel, ..exposure }, simd, &mut counts);
             let found = found.as_ref().map_or(&[][..], Film::pixels);
             tally.cases += u64::from(PIXELS * PIXELS);

@@ -64,6 +64,7 @@ pub(super) fn cross_row<T: Real, C: ShapeColumns<T>>(
 
 /// Whether of two objects at the same distance, by their packed names, the first one shows; anything shows before
 /// nobody.
+#[inline(never)]
 pub(super) fn comes_first<T: Real>(tables: &SceneTables<T>, name: u32, other: u32) -> bool {
     if other == ObjectId::NOBODY {
         return true;

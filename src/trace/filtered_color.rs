@@ -19,7 +19,6 @@ pub(super) struct PixelSpot<T> {
 }
 
 /// The [`own_color`] of an object, averaged over what the pixel covers of it where a filter asks for that.
-#[inline(always)]
 pub(super) fn filtered_color<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     object: ObjectId,
@@ -54,6 +53,7 @@ fn board_color<T: Real, const EFFECTS: u32>(
 }
 
 /// The colour of the image of a cell, of which a pixel covers some share along each axis.
+#[inline(never)]
 fn image_color<T: Real>(
     images: &BoardTexture,
     filter: &ImageFilter,
@@ -72,6 +72,7 @@ fn image_color<T: Real>(
 }
 
 /// Texels along the side on which a pixel covers more.
+#[inline(always)]
 fn covered_texels<T: Real>(image: &Texture, [along_x, along_y]: [T; 2]) -> T {
     (along_x * T::from_u32(image.width())).at_least(along_y * T::from_u32(image.height()))
 }

@@ -79,6 +79,7 @@ impl<T> Hit<T> {
     }
 
     /// How a ray leaves that goes on through the surface.
+    #[inline(always)]
     pub(super) fn passage(&self) -> Departure {
         match (self.object.kind, self.crossing.side) {
             // A board has no inside.
@@ -120,6 +121,7 @@ impl DepartedRow {
     const NONE: Self = Self { skipped: u32::MAX, within: u32::MAX, face: 0 };
 
     /// The row, whichever way it was left; a number that no table has if there is none.
+    #[inline(always)]
     pub(super) fn row(self) -> u32 {
         self.skipped.min(self.within)
     }

@@ -5,29 +5,37 @@ use crate::effects::{Effect, EffectSet};
 /// Effects that are no work of a kernel: objects are moved before it, and light becomes bytes after it.
 const ELSEWHERE: EffectSet = EffectSet::of(&[Effect::MotionBlur, Effect::Srgb]);
 
-/// Code to trace with, compiled for a set of effects: what is not in the set is not in the code. Each kernel can
-/// trace all that the ones before it can, to the same bits.
+/// Code to trace with, compiled for a set of effects: what is not in the set is not in the code. All that have what a
+/// scene asks for trace it to the same bits.
 ///
-/// A kernel between the first two, with gloss and mirrors alone, saved 1.3 % of the instructions of a picture that asks for
-/// no more, and is not worth its copies; the first saves 4.7 % of one that asks for nothing. Glass is the one effect that
-/// costs more than 1 % where nobody asks for it (2.5 %), for it makes two rays of one: hence a kernel without. More of
-/// them are not needed: what few scenes ask for lies in functions of its own, and what is left is a test for each.
-/// `benches/idle_effects.sh` holds that against programs that have no code for it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+/// What they add to a release program of 13743 kB, as `benches/kernel_sizes.sh` says: packets 140 to 210 kB for each
+/// precision, level of vector instructions and kernel, 2070 in all, which is why there are two of them; stages 228, 120 of
+/// them, and 111 for hits and shadows, which know of no effect. Two loops with every effect were larger, and took 4 to 10 %
+/// more instructions. `benches/idle_effects.sh` holds all of them against programs without an effect.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kernel {
     /// Coloured surfaces under plain lights, in packets.
     Plain,
     /// The effects that a scene file can ask for, in packets.
     Assignment,
-    /// Every effect but glass and what is in it, ray by ray.
-    Opaque,
-    /// Every effect, ray by ray.
-    Everything,
+    /// These effects, ray by ray, by [`Stages`](super::stages::Stages) that have just them.
+    Stages(EffectSet),
 }
 
 impl Kernel {
-    /// Every kernel, the smallest first.
-    pub const ALL: [Self; 4] = [Self::Plain, Self::Assignment, Self::Opaque, Self::Everything];
+    /// The one that can do everything.
+    pub const EVERYTHING: Self = Self::Stages(EffectSet::ALL);
+
+    /// Every kernel that can do what these effects are, the smallest first; none if the program lacks one of them.
+    pub fn all_for(effects: EffectSet) -> impl Iterator<Item = Self> {
+        let all = [Self::Plain, Self::Assignment, Self::Stages(effects), Self::EVERYTHING];
+        all.into_iter().filter(move |kernel| effects.is_subset(kernel.effects()))
+    }
+
+    /// The smallest one that has these effects; the largest where none has them.
+    pub fn smallest_for(effects: EffectSet) -> Self {
+        Self::all_for(effects).next().unwrap_or(Self::EVERYTHING)
+    }
 
     /// The effects that it is compiled for.
     pub const fn effects(self) -> EffectSet {
@@ -45,15 +53,8 @@ impl Kernel {
                 Effect::SpotCone,
             ])
             .union(ELSEWHERE),
-            Self::Opaque => EffectSet::ALL.without(Effect::Glass).without(Effect::Absorption),
-            Self::Everything => EffectSet::ALL,
+            Self::Stages(effects) => effects,
         }
-    }
-
-    /// The smallest one that has these effects; the largest where none has them.
-    pub fn smallest_for(effects: EffectSet) -> Self {
-        let mut able = Self::ALL.into_iter().filter(|kernel| effects.is_subset(kernel.effects()));
-        able.next().unwrap_or(Self::Everything)
     }
 }
 
@@ -73,26 +74,22 @@ pub(super) fn known<const EFFECTS: u32, R>(effect: Effect, row: Option<R>) -> Op
 mod tests {
     use super::*;
 
-    #[test]
-    fn each_kernel_can_do_what_the_ones_before_it_can() {
-        for pair in Kernel::ALL.windows(2) {
-            assert!(pair[0] < pair[1] && pair[0].effects().is_subset(pair[1].effects()));
-        }
-    }
-
     /// What kernels have, and what differs from that by one or two effects.
     fn sets() -> impl Iterator<Item = EffectSet> {
-        let kernels = Kernel::ALL.into_iter().map(Kernel::effects).chain([EffectSet::NONE]);
+        let kernels = [Kernel::Plain, Kernel::Assignment, Kernel::EVERYTHING].map(Kernel::effects);
         let pairs = || Effect::ALL.into_iter().flat_map(|a| Effect::ALL.map(|b| EffectSet::of(&[a, b])));
-        kernels.flat_map(move |set| pairs().flat_map(move |pair| [set.union(pair), set.minus(pair)]))
+        let sets = kernels.into_iter().chain([EffectSet::NONE]);
+        sets.flat_map(move |set| pairs().flat_map(move |pair| [set.union(pair), set.minus(pair)]))
     }
 
     #[test]
     fn every_set_gets_the_smallest_kernel_that_has_it() {
         for set in sets() {
-            let chosen = Kernel::smallest_for(set);
-            assert!(set.is_subset(chosen.effects()));
-            assert!(Kernel::ALL.into_iter().all(|k| k >= chosen || !set.is_subset(k.effects())));
+            let kernels: Vec<_> = Kernel::all_for(set).collect();
+            assert_eq!(Kernel::smallest_for(set), kernels[0]);
+            assert!(kernels.iter().all(|kernel| set.is_subset(kernel.effects())));
+            assert!(kernels.windows(2).all(|pair| pair[0].effects().is_subset(pair[1].effects())));
+            assert!(kernels.contains(&Kernel::EVERYTHING) && kernels.contains(&Kernel::Stages(set)));
         }
     }
 }

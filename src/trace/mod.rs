@@ -26,6 +26,7 @@ mod sequence;
 mod shade;
 mod shape_columns;
 mod simd;
+mod stages;
 mod stream;
 mod surface_table;
 mod tables;

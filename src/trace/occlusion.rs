@@ -52,7 +52,13 @@ fn any_row_blocks<T: Real, C: ShapeColumns<T>>(
     departure: &Departure,
     reach: T,
 ) -> bool {
-    (0..).take(table.order.len()).any(|row| row_blocks(table, row, ray, departure, reach))
+    // No closure: whether that is inlined depends on what else there is in the program.
+    for row in (0..).take(table.order.len()) {
+        if row_blocks(table, row, ray, departure, reach) {
+            return true;
+        }
+    }
+    false
 }
 
 #[inline(always)]

@@ -5,9 +5,10 @@ use crate::effects::{
 };
 use crate::geometry::{Convex, Ray, Real, Side, SurfacePoint, Vector};
 
-use super::filtered_color::{PixelSpot, filtered_color};
+use super::filtered_color::PixelSpot;
 use super::kernel::{has, known};
 use super::shade::{Lighting, Look, Shaded};
+use super::stages::Stages;
 use super::{
     CameraRay, Counts, Departure, GlassRow, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns, Trail,
     closest_hit,
@@ -62,13 +63,20 @@ pub fn radiance<T: Real>(
     sample: SampleId,
     counts: &mut Counts,
 ) -> Radiance<T> {
-    radiance_of::<T, { EffectSet::COMPILED.bits() }>(tables, start, depth, sample, counts)
+    let stages = &Stages::of(EffectSet::COMPILED);
+    (stages.follow)(Walked { tables, stages }, start, depth, sample, counts)
 }
 
-/// [`radiance`] in a scene that has no effects but these.
-#[inline(never)]
-pub(super) fn radiance_of<T: Real, const EFFECTS: u32>(
-    tables: &SceneTables<T>,
+/// What rays walk through, and what happens to them there.
+#[derive(Clone, Copy)]
+pub(super) struct Walked<'a, T: Real> {
+    pub(super) tables: &'a SceneTables<T>,
+    pub(super) stages: &'a Stages<T>,
+}
+
+/// [`radiance`] where rays are subject to no effects but these.
+pub(super) fn follow_all<T: Real, const EFFECTS: u32>(
+    Walked { tables, stages }: Walked<'_, T>,
     start: CameraRay<T>,
     depth: Depth<T>,
     sample: SampleId,
@@ -79,7 +87,7 @@ pub(super) fn radiance_of<T: Real, const EFFECTS: u32>(
     let mut path = Path { ray, reach, cone, departure: Departure::Free, weight: Rgb::WHITE, remaining };
     let cutoff = depth.cutoff;
     let found = Radiance::default();
-    let mut walk = Walk::<T, EFFECTS> { tables, cutoff, sample, rays: 0, found, waiting: Vec::new() };
+    let mut walk = Walk::<T, EFFECTS> { tables, stages, cutoff, sample, rays: 0, found, waiting: Vec::new() };
     while walk.follow(&mut path, counts) || walk.take_waiting(&mut path) {}
     walk.found
 }
@@ -100,6 +108,7 @@ struct Path<T> {
 /// All rays of one sample.
 struct Walk<'a, T: Real, const EFFECTS: u32> {
     tables: &'a SceneTables<T>,
+    stages: &'a Stages<T>,
     cutoff: T,
     sample: SampleId,
     /// Rays so far.
@@ -122,10 +131,8 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
     fn follow(&mut self, path: &mut Path<T>, counts: &mut Counts) -> bool {
         let tables = self.tables;
         self.rays += 1;
-        let Some(hit) = closest_hit(tables, &path.ray, &path.departure, path.reach) else {
-            if let Some(light) = tables.air.beyond::<EFFECTS>(path.ray.direction) {
-                self.found.color += light * path.weight;
-            }
+        let Some((hit, shaded)) = meet(tables, path) else {
+            (self.stages.look_beyond)(&tables.air, path.ray.direction, path.weight, &mut self.found.color);
             return false;
         };
         let (surfaces, row) = tables.surface(hit.object);
@@ -137,7 +144,6 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
             return false;
         }
         let direction = path.ray.direction;
-        let shaded = Shaded::new(&hit, locate(tables, &hit, &path.ray));
         let goes_on = path.remaining > 0;
         let glass = surface.glass.filter(|_| goes_on);
         let mirror = surface.mirror.filter(|_| goes_on).unwrap_or(T::ZERO);
@@ -145,15 +151,17 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         let needs_mirrored = surface.gloss.is_some() || mirror != T::ZERO || glass.is_some();
         let mirrored = if needs_mirrored { reflect(direction, shaded.normal) } else { direction };
         let cone = path.cone.after(hit.crossing.t);
-        let own = filtered_color::<T, EFFECTS>(
-            tables,
-            hit.object,
-            surface.color,
-            PixelSpot { point: shaded.point, direction, cone },
-        );
+        let own = match hit.object.kind {
+            Kind::Board => {
+                let spot = PixelSpot { point: shaded.point, direction, cone };
+                (self.stages.paint)(tables, hit.object, surface.color, spot)
+            }
+            _ => surface.color,
+        };
         let look = Look { sample: self.sample, ray: self.rays };
-        let lighting = Lighting { tables, shaded: &shaded, surface: &surface, mirrored, look };
-        self.found.color += lighting.shade::<EFFECTS>(own, &mut self.found.trail, counts) * weight;
+        let stages = self.stages;
+        let lighting = Lighting { tables, stages, shaded: &shaded, surface: &surface, mirrored, look };
+        self.found.color += lighting.shade(own, &mut self.found.trail, counts) * weight;
 
         let reflected = Path {
             ray: Ray { origin: shaded.point, direction: mirrored },
@@ -259,6 +267,7 @@ impl<T: Real> Pane<'_, T> {
         }
     }
 
+    #[inline(always)]
     fn split(&self) -> Split<T> {
         let (direction, normal, index) = (self.direction, self.normal, self.glass.index);
         match (self.hit.object.kind, self.hit.crossing.side) {
@@ -267,6 +276,13 @@ impl<T: Real> Pane<'_, T> {
             (_, Side::Inside) => split(direction, normal, index),
         }
     }
+}
+
+/// What a ray meets, and where: once for all that follow rays.
+#[inline(never)]
+fn meet<T: Real>(tables: &SceneTables<T>, path: &Path<T>) -> Option<(Hit<T>, Shaded<T>)> {
+    let hit = closest_hit(tables, &path.ray, &path.departure, path.reach)?;
+    Some((hit, Shaded::new(&hit, locate(tables, &hit, &path.ray))))
 }
 
 /// The surface point of a hit.

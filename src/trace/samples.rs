@@ -38,6 +38,7 @@ impl SampleGrid {
     /// The point that a pass takes. A grid with a point in the pixel's centre begins there, and each `side` points
     /// in a row lie in as many rows and columns, so that a picture can be looked at before it is complete. The order
     /// is the same for everyone, because the last digit of a sum depends on it.
+    #[inline(never)]
     pub fn point(self, pass: u32) -> SamplePoint {
         let side = self.side;
         let (round, turn) = (pass / side % side, pass % side);

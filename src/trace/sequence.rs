@@ -51,6 +51,7 @@ impl SampleId {
 impl Sequence {
     /// The point of a number: the first 2^n lie one each in every cell of every division of the unit square into 2^n
     /// equal boxes by powers of two. Coordinates are multiples of 2^-24 from 0 to below 1.
+    #[inline(never)]
     pub fn point<T: Real>(self, number: u32) -> [T; 2] {
         // The order is shuffled, too, so that sequences can be paired.
         let number = scramble(number, mix(self.seed, 1));

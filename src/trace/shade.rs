@@ -6,6 +6,7 @@ use crate::effects::{
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
 use super::kernel::known;
+use super::stages::Stages;
 use super::{
     BoardTexture, Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail,
     is_occluded,
@@ -45,6 +46,7 @@ pub(super) struct Look {
 /// The light that reaches a surface point.
 pub(super) struct Lighting<'a, T: Real> {
     pub(super) tables: &'a SceneTables<T>,
+    pub(super) stages: &'a Stages<T>,
     pub(super) shaded: &'a Shaded<T>,
     pub(super) surface: &'a SurfaceRow<T>,
     /// Unit direction of the viewing ray after reflection; asked for only where the surface has gloss.
@@ -54,44 +56,36 @@ pub(super) struct Lighting<'a, T: Real> {
 
 /// Sums over all lights that reach a point; not capped.
 #[derive(Clone, Copy)]
-struct LightSums<T> {
+pub(super) struct LightSums<T> {
     lambert: Rgb<T>,
     phong: Rgb<T>,
     trail: Trail,
+}
+
+/// Light on its way to a point, unless something hides it.
+#[derive(Clone, Copy)]
+pub(super) struct Arrival<T> {
+    /// Of the light.
+    row: usize,
+    /// From the point to the light, or the unit direction to one that has no place.
+    segment: Vector<T>,
+    /// Where along the segment the light is: 1, or infinity.
+    reach: T,
+    /// Share of the light that arrives.
+    scale: T,
 }
 
 impl<T: Real> Lighting<'_, T> {
     /// Ambient, diffuse and specular radiance of the point: `own * (a + d * lambert + s * phong)`. The lights that reach it
     /// are noted in the trail.
     #[inline(always)]
-    pub(super) fn shade<const EFFECTS: u32>(
-        &self,
-        own: Rgb<T>,
-        trail: &mut Trail,
-        counts: &mut Counts,
-    ) -> Rgb<T> {
+    pub(super) fn shade(&self, own: Rgb<T>, trail: &mut Trail, counts: &mut Counts) -> Rgb<T> {
         let surface = self.surface;
-        let sums = self.gather::<EFFECTS>(*trail, counts);
+        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail: *trail };
+        (self.stages.gather)(self, &mut sums, counts);
         *trail = sums.trail;
         let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
         own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
-    }
-
-    #[inline(always)]
-    fn gather<const EFFECTS: u32>(&self, trail: Trail, counts: &mut Counts) -> LightSums<T> {
-        let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail };
-        for row in 0..self.tables.lights.len() {
-            let lights = &self.tables.lights;
-            if let Some(toward) = known::<EFFECTS, _>(Effect::Directional, lights.toward.get(row)) {
-                self.add_parallel::<EFFECTS>(row, *toward, &mut sums, counts);
-            } else if let Some(ball) = known::<EFFECTS, _>(Effect::AreaLight, lights.ball.get(row)) {
-                self.add_ball::<EFFECTS>(row, ball, &mut sums, counts);
-            } else {
-                let segment = lights.position(row) - self.shaded.point;
-                self.add_point::<EFFECTS>(row, segment, T::ONE, &mut sums, counts);
-            }
-        }
-        sums
     }
 
     /// Light of a share of a light from `segment` away. What the light is like is asked when it matters.
@@ -119,25 +113,20 @@ impl<T: Real> Lighting<'_, T> {
         if scale == T::ZERO {
             return;
         }
-        self.shine_unless_hidden::<EFFECTS>(row, (segment, T::ONE), || segment.unit(), scale, sums, counts);
+        (self.stages.shine)(self, Arrival { row, segment, reach: T::ONE, scale }, sums, counts);
     }
 
     /// Light from a unit direction.
-    #[inline(never)]
-    fn add_parallel<const EFFECTS: u32>(
-        &self,
-        row: usize,
-        toward: Vector<T>,
-        sums: &mut LightSums<T>,
-        counts: &mut Counts,
-    ) {
+    #[inline(always)]
+    fn add_parallel(&self, row: usize, toward: Vector<T>, sums: &mut LightSums<T>, counts: &mut Counts) {
         if toward.dot(self.shaded.normal) > T::ZERO {
-            self.shine_unless_hidden::<EFFECTS>(row, (toward, T::INFINITY), || toward, T::ONE, sums, counts);
+            let arrival = Arrival { row, segment: toward, reach: T::INFINITY, scale: T::ONE };
+            (self.stages.shine)(self, arrival, sums, counts);
         }
     }
 
     /// Light from samples of a ball.
-    #[inline(never)]
+    #[inline(always)]
     fn add_ball<const EFFECTS: u32>(
         &self,
         row: usize,
@@ -160,53 +149,62 @@ impl<T: Real> Lighting<'_, T> {
     }
 
     /// Each pair of ray and light draws points of its own.
+    #[inline(always)]
     fn purpose(&self, row: usize) -> Purpose {
         // Lights are far fewer than 2^32.
         let [row, lights] = [row, self.tables.lights.len()].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
         Purpose::Light(self.look.ray.wrapping_mul(lights).wrapping_add(row))
     }
+}
 
-    /// Light from a direction, unless it is black or something in its reach hides it; `to_light` is the direction's unit.
-    #[inline(always)]
-    fn shine_unless_hidden<const EFFECTS: u32>(
-        &self,
-        row: usize,
-        (segment, reach): (Vector<T>, T),
-        to_light: impl FnOnce() -> Vector<T>,
-        scale: T,
-        sums: &mut LightSums<T>,
-        counts: &mut Counts,
-    ) {
-        let color = known::<EFFECTS, _>(Effect::LightColor, self.tables.lights.color.get(row));
-        if color == Some(&Rgb::BLACK) || self.is_hidden(segment, reach, counts) {
-            return;
-        }
-        match color {
-            Some(&color) => self.shine_in_color(row, to_light(), color * scale, sums),
-            None => self.shine(row, to_light(), Rgb::gray(scale), sums),
+/// Sums up all lights, with shapes and strengths that have no effects but these.
+pub(super) fn gather<T: Real, const EFFECTS: u32>(
+    lighting: &Lighting<'_, T>,
+    sums: &mut LightSums<T>,
+    counts: &mut Counts,
+) {
+    let lights = &lighting.tables.lights;
+    for row in 0..lights.len() {
+        if let Some(toward) = known::<EFFECTS, _>(Effect::Directional, lights.toward.get(row)) {
+            lighting.add_parallel(row, *toward, sums, counts);
+        } else if let Some(ball) = known::<EFFECTS, _>(Effect::AreaLight, lights.ball.get(row)) {
+            lighting.add_ball::<EFFECTS>(row, ball, sums, counts);
+        } else {
+            let segment = lights.position(row) - lighting.shaded.point;
+            lighting.add_point::<EFFECTS>(row, segment, T::ONE, sums, counts);
         }
     }
+}
 
-    #[inline(never)]
-    fn shine_in_color(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
-        self.shine(row, to_light, color, sums);
+/// Adds what light does where it arrives, unless it is black or something hides it, with no effects but these.
+pub(super) fn shine<T: Real, const EFFECTS: u32>(
+    lighting: &Lighting<'_, T>,
+    Arrival { row, segment, reach, scale }: Arrival<T>,
+    sums: &mut LightSums<T>,
+    counts: &mut Counts,
+) {
+    let color = known::<EFFECTS, _>(Effect::LightColor, lighting.tables.lights.color.get(row));
+    if color == Some(&Rgb::BLACK) {
+        return;
     }
+    counts.rays.shadow += 1;
+    let &Shaded { point, normal, ref departure } = lighting.shaded;
+    if is_hidden(lighting.tables, &Ray { origin: point, direction: segment }, departure, reach) {
+        return;
+    }
+    let to_light = if reach == T::INFINITY { segment } else { segment.unit() };
+    let color = color.map_or(Rgb::gray(scale), |&color| color * scale);
+    sums.trail = sums.trail.lit_by(row);
+    sums.lambert += color * lambert(to_light, normal);
+    if let Some(gloss) = known::<EFFECTS, _>(Effect::Gloss, lighting.surface.gloss) {
+        sums.phong += color * phong(lighting.mirrored, to_light, gloss.shininess);
+    }
+}
 
-    #[inline(always)]
-    fn is_hidden(&self, segment: Vector<T>, reach: T, counts: &mut Counts) -> bool {
-        counts.rays.shadow += 1;
-        let ray = Ray { origin: self.shaded.point, direction: segment };
-        is_occluded(self.tables, &ray, &self.shaded.departure, reach)
-    }
-
-    #[inline(always)]
-    fn shine(&self, row: usize, to_light: Vector<T>, color: Rgb<T>, sums: &mut LightSums<T>) {
-        sums.trail = sums.trail.lit_by(row);
-        sums.lambert += color * lambert(to_light, self.shaded.normal);
-        if let Some(gloss) = self.surface.gloss {
-            sums.phong += color * phong(self.mirrored, to_light, gloss.shininess);
-        }
-    }
+/// [`is_occluded`], once for all that shades.
+#[inline(never)]
+fn is_hidden<T: Real>(tables: &SceneTables<T>, ray: &Ray<T>, departure: &Departure, reach: T) -> bool {
+    is_occluded(tables, ray, departure, reach)
 }
 
 /// The own colour of an object at a point: plain, or the pattern or image of a checkerboard.

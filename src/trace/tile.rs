@@ -7,7 +7,8 @@ use crate::geometry::Real;
 use super::kernel::has;
 use super::packet::{BLOCK, Block, Bounds, LANES, Scratch};
 use super::pixels::{PixelLanes, PixelQueue, SampleLanes};
-use super::radiance::{Depth, radiance_of};
+use super::radiance::{Depth, Walked};
+use super::stages::Stages;
 use super::{CameraRays, Counts, Kernel, SampleGrid, SampleId, SceneTables, Simd, Trail};
 
 /// What a picture is traced from, and how.
@@ -85,15 +86,25 @@ impl<'a, T: Real> Exposure<'a, T> {
         let camera = self.camera.refined(self.grid.side());
         let bounds = Bounds::new(self.tables);
         let gain = camera.effects().gain();
-        work(&PacketTask { exposure: self, camera: &camera, bounds: &bounds, pass, gain, wants_trails })
+        let stages = Stages::of(self.kernel.effects());
+        work(&PacketTask {
+            exposure: self,
+            camera: &camera,
+            bounds: &bounds,
+            stages,
+            pass,
+            gain,
+            wants_trails,
+        })
     }
 }
 
-/// What packets are traced from.
+/// What packets are traced from, or rays one by one.
 pub(super) struct PacketTask<'a, T: Real> {
     exposure: &'a Exposure<'a, T>,
     camera: &'a CameraRays<T>,
     bounds: &'a Bounds<T>,
+    stages: Stages<T>,
     pass: u32,
     /// What all light is multiplied by before it is cut off; packets are for cameras with 1.
     gain: f64,
@@ -133,25 +144,9 @@ impl<T: Real> PacketTask<'_, T> {
         }
     }
 
-    /// Traces pixels one by one, with the effects of these bits.
-    pub(super) fn trace_each<const EFFECTS: u32>(&self, queue: &mut dyn PixelQueue) -> Counts {
-        if self.exposure.depth.level == 0 {
-            return self.blacken(queue);
-        }
-        let mut counts = Counts::default();
-        loop {
-            let pixels = queue.next();
-            if pixels.count == 0 {
-                return counts;
-            }
-            let mut samples = SampleLanes::black();
-            for lane in 0..pixels.count {
-                let (color, trail) =
-                    self.sample::<EFFECTS>(pixels.columns[lane], pixels.rows[lane], &mut counts);
-                samples.set(lane, color, trail);
-            }
-            queue.put(&samples);
-        }
+    /// Traces pixels one by one.
+    pub(super) fn trace_by_stages(&self, queue: &mut dyn PixelQueue) -> Counts {
+        if self.exposure.depth.level == 0 { self.blacken(queue) } else { (self.stages.expose)(self, queue) }
     }
 
     /// At level 0 no ray is traced.
@@ -163,6 +158,7 @@ impl<T: Real> PacketTask<'_, T> {
         Counts::default()
     }
 
+    #[inline(always)]
     fn sample<const EFFECTS: u32>(&self, column: u32, row: u32, counts: &mut Counts) -> ([f64; 3], Trail) {
         let &Exposure { tables, corner, depth, grid, .. } = self.exposure;
         let (column, row) = (corner[0] + column, corner[1] + row);
@@ -171,11 +167,32 @@ impl<T: Real> PacketTask<'_, T> {
         let start =
             self.camera.sample_of::<EFFECTS>(column * side + point.column, row * side + point.row, sample);
         counts.rays.primary += 1;
-        let found = radiance_of::<T, EFFECTS>(tables, start, depth, sample, counts);
+        let stages = &self.stages;
+        let found = (stages.follow)(Walked { tables, stages }, start, depth, sample, counts);
         let color = found.color.to_f64();
         let exposed =
             if has::<EFFECTS>(Effect::Exposure) { color.map(|channel| channel * self.gain) } else { color };
         (counts.clamp(exposed), found.trail)
+    }
+}
+
+/// Traces pixels one by one, by a camera that has no effects but these.
+pub(super) fn trace_each<T: Real, const EFFECTS: u32>(
+    task: &PacketTask<'_, T>,
+    queue: &mut dyn PixelQueue,
+) -> Counts {
+    let mut counts = Counts::default();
+    loop {
+        let pixels = queue.next();
+        if pixels.count == 0 {
+            return counts;
+        }
+        let mut samples = SampleLanes::black();
+        for lane in 0..pixels.count {
+            let (color, trail) = task.sample::<EFFECTS>(pixels.columns[lane], pixels.rows[lane], &mut counts);
+            samples.set(lane, color, trail);
+        }
+        queue.put(&samples);
     }
 }
 
@@ -192,6 +209,7 @@ struct Strip<'a, 'b> {
 }
 
 impl Strip<'_, '_> {
+    #[inline(always)]
     fn rows(&self) -> u32 {
         (self.band.height() - self.row).min(BLOCK[1])
     }

@@ -67,11 +67,11 @@ fn by_path<T: Real>(world: &World, kernel: Kernel, simd: Simd, threads: usize) -
 fn check_paths<T: Real>(mut world: World) {
     prepare::<T>(&mut world, workers(1));
     extract_schedule::<T>().run(&mut world);
-    let smallest = Kernel::smallest_for(world.resource::<Tables<T>>().effects());
-    let truth = by_path::<T>(&world, Kernel::Everything, Simd::detect(), 1);
+    let effects = world.resource::<Tables<T>>().effects();
+    let truth = by_path::<T>(&world, Kernel::EVERYTHING, Simd::detect(), 1);
     let (fewest, most) = (truth.2.iter().min().unwrap(), truth.2.iter().max().unwrap());
     assert!((*fewest, *most) == (1, 9), "some pixels want one sample, some all: {fewest} to {most}");
-    for kernel in Kernel::ALL.into_iter().filter(|&kernel| kernel >= smallest) {
+    for kernel in Kernel::all_for(effects) {
         for simd in Simd::available() {
             for threads in [1, 2] {
                 let found = by_path::<T>(&world, kernel, simd, threads);

@@ -1,6 +1,7 @@
 //! Every path to a picture is the same path: packets with any vector instructions, and ray by ray.
 
 use archetrace::components::Snapshot;
+use archetrace::effects::EffectSet;
 use archetrace::film::Film;
 use archetrace::geometry::Real;
 use archetrace::systems::{Monitor, Tables, Workers, extract_schedule, prepare, trace_picture};
@@ -56,7 +57,7 @@ pub(crate) fn check_world<T: Real>(name: &str, world: World) -> Vec<[f64; 3]> {
     let with = |kernel| Exposure { kernel, ..Exposure::new(&tables.scene, camera, level) };
     let treeless = SceneTables { trees: Trees::default(), ..(*tables.scene).clone() };
     let (truth, rays) = ray_by_ray(&Exposure { tables: &treeless, ..with(smallest) });
-    for (simd, kernel) in paths().filter(|&(_, kernel)| kernel >= smallest) {
+    for (simd, kernel) in paths(tables.effects()) {
         for (threads, tile) in [(1, 32), (2, 7)] {
             let workers = workers(threads).with_simd(simd).with_tile_size(tile);
             let (film, counts) = by_kernel(&with(kernel), &workers);
@@ -69,10 +70,11 @@ pub(crate) fn check_world<T: Real>(name: &str, world: World) -> Vec<[f64; 3]> {
     truth
 }
 
-/// All vector instructions with all kernels; the last one uses none.
-fn paths() -> impl Iterator<Item = (Simd, Kernel)> {
-    let all = |simd| Kernel::ALL.map(|kernel| (simd, kernel));
-    let distinct = |&(simd, kernel): &(Simd, Kernel)| kernel < Kernel::Opaque || simd == Simd::detect();
+/// All vector instructions with all kernels that have some effects; rays one by one use none.
+fn paths(effects: EffectSet) -> impl Iterator<Item = (Simd, Kernel)> {
+    let all = move |simd| Kernel::all_for(effects).map(move |kernel| (simd, kernel));
+    let distinct =
+        |&(simd, kernel): &(Simd, Kernel)| !matches!(kernel, Kernel::Stages(_)) || simd == Simd::detect();
     Simd::available().into_iter().flat_map(all).filter(distinct)
 }
 
