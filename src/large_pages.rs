@@ -1,8 +1,8 @@
 //! Memory on large pages, where the system has them.
 #![cfg_attr(target_os = "linux", expect(unsafe_code, reason = "the system is told of memory by address"))]
 
-/// Asks the system to keep the memory of a vector on large pages, of megabytes each. It is to be asked before anything is
-/// written there: a page stays as large as it was then. Where the system does not listen, nothing changes.
+/// Asks the system to keep the memory of a vector on large pages. It is to be asked before anything is written there: a page
+/// stays as large as it was then. Where the system does not listen, nothing changes.
 ///
 /// A processor remembers where some thousand pages are. A ray that goes down a tree of many megabytes reads from another
 /// page with nearly every step, and finds out where that is first; and a film is handed out page by page.
@@ -13,22 +13,22 @@ pub(crate) fn ask_for<V>(memory: &Vec<V>) {
     let _ = memory;
 }
 
+/// Bytes of a large page, or a multiple: where pages are larger the system says no.
+#[cfg(target_os = "linux")]
+const LARGE: usize = 2 << 20;
+
 #[cfg(target_os = "linux")]
 fn ask<V>(memory: &Vec<V>) {
     use rustix::mm::{Advice, madvise};
 
-    let page = rustix::param::page_size();
-    let start = memory.as_ptr().addr().next_multiple_of(page);
-    let end = memory.as_ptr().addr() + memory.capacity() * size_of::<V>();
-    let length = end.saturating_sub(start) / page * page;
-    if length >= WORTH_ASKING {
-        let first = memory.as_ptr().cast::<u8>().wrapping_add(start - memory.as_ptr().addr());
+    let start = memory.as_ptr().addr();
+    let end = start + memory.capacity() * size_of::<V>();
+    let first = start.next_multiple_of(LARGE);
+    let length = end.saturating_sub(first) / LARGE * LARGE;
+    if length > 0 {
+        let first = memory.as_ptr().cast::<u8>().wrapping_add(first - start);
         // SAFETY: the pages lie within memory of the vector's own, and this advice changes nothing that they hold.
         let advised = unsafe { madvise(first.cast_mut().cast(), length, Advice::LinuxHugepage) };
         advised.unwrap_or_default();
     }
 }
-
-/// Bytes: less may have no large page in it.
-#[cfg(target_os = "linux")]
-const WORTH_ASKING: usize = 4 << 20;
