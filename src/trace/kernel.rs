@@ -18,7 +18,7 @@ pub enum Kernel {
     Plain,
     /// The effects that a scene file can ask for, in packets.
     Assignment,
-    /// These effects, ray by ray, by [`Stages`](super::stages::Stages) that have just them.
+    /// These effects, ray by ray, by stages that have just them.
     Stages(EffectSet),
 }
 
