@@ -83,7 +83,7 @@ const ROOMS: &[Room] = &[
     Room {
         place: "src/trace",
         crates: &[("libm", Only(&["camera.rs", "camera_effects.rs"]))],
-        rooms: &["components", "effects", "geometry", "film", "large_pages"],
+        rooms: &["components", "effects", "geometry", "film"],
         may: &[],
     },
     Room {

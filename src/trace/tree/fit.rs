@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::geometry::{Bounds3, Real, Vector};
-use crate::large_pages;
 use crate::trace::ShapeColumns;
 
 use super::build::{Fork, Topology, fill};
@@ -47,17 +46,12 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
     {
         let [leaf_of, leaf_parents, parents] = Self::links(&topology, shapes.len());
         let Topology { nodes, leaves: rows } = topology;
-        let mut placed = Vec::with_capacity(nodes.len());
-        large_pages::ask_for(&placed);
-        placed.extend(nodes.into_iter().map(Node::new));
-        let mut leaves = Vec::with_capacity(rows.len());
-        large_pages::ask_for(&leaves);
-        if let Some(&held) = rows.first() {
-            leaves.resize(rows.len(), Leaf::of(shapes, held));
-        }
+        let nodes = nodes.into_iter().map(Node::new).collect();
+        let mut leaves: Vec<_> =
+            rows.first().map(|&held| vec![Leaf::of(shapes, held); rows.len()]).unwrap_or_default();
         fill(fork, 0, &mut leaves, &|leaf| Leaf::of(shapes, rows[leaf]));
         let mut tree = Self {
-            nodes: placed,
+            nodes,
             leaves,
             leaf_of,
             leaf_parents,
