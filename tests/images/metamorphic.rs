@@ -190,18 +190,22 @@ struct Marker;
 
 #[test]
 fn a_marker_component_does_not_show() {
-    let case = full_case();
-    let usual = picture::<f64>(&case);
-    let mut world = case.world();
-    let entities = scene_entities(&mut world);
-    for &entity in entities.iter().step_by(3) {
-        world.entity_mut(entity).insert(Marker);
+    fn check<T: Real>() {
+        let case = full_case();
+        let usual = picture::<T>(&case);
+        let mut world = case.world();
+        let entities = scene_entities(&mut world);
+        for &entity in entities.iter().step_by(3) {
+            world.entity_mut(entity).insert(Marker);
+        }
+        assert_same("marked", &usual, &trace::<T>(&mut world).picture);
+        for &entity in entities.iter().step_by(2) {
+            world.entity_mut(entity).remove::<Marker>();
+        }
+        assert_same("marks removed", &usual, &trace::<T>(&mut world).picture);
     }
-    assert_same("marked", &usual, &trace::<f64>(&mut world).picture);
-    for &entity in entities.iter().step_by(2) {
-        world.entity_mut(entity).remove::<Marker>();
-    }
-    assert_same("marks removed", &usual, &trace::<f64>(&mut world).picture);
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]

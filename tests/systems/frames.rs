@@ -202,30 +202,38 @@ fn a_precision_that_paused_catches_up() {
 
 #[test]
 fn an_entity_may_have_two_shapes() {
-    let mut world = full_case().world();
-    let place = Position::new(10.0, -60.0, 20.0);
-    let look = (Color::new(0.9, 0.7, 0.3), Ambient(0.5), Diffuse(0.4), Mirror(0.2));
-    world.spawn((Sphere { radius: 12.0 }, Cube { side: 16.0 }, place, look));
-    let both = trace::<f64>(&mut world).picture;
+    fn check<T: Real>() {
+        let mut world = full_case().world();
+        let place = Position::new(10.0, -60.0, 20.0);
+        let look = (Color::new(0.9, 0.7, 0.3), Ambient(0.5), Diffuse(0.4), Mirror(0.2));
+        world.spawn((Sphere { radius: 12.0 }, Cube { side: 16.0 }, place, look));
+        let both = trace::<T>(&mut world).picture;
 
-    let mut world = full_case().world();
-    world.spawn((Sphere { radius: 12.0 }, place, look));
-    let sphere = trace::<f64>(&mut world).picture;
-    world.spawn((Cube { side: 16.0 }, place, look));
-    assert_same("sphere and cube", &trace::<f64>(&mut world).picture, &both);
-    assert_ne!(sphere, both);
-    assert_ne!(trace::<f64>(&mut full_case().world()).picture, sphere);
+        let mut world = full_case().world();
+        world.spawn((Sphere { radius: 12.0 }, place, look));
+        let sphere = trace::<T>(&mut world).picture;
+        world.spawn((Cube { side: 16.0 }, place, look));
+        assert_same("sphere and cube", &trace::<T>(&mut world).picture, &both);
+        assert_ne!(sphere, both);
+        assert_ne!(trace::<T>(&mut full_case().world()).picture, sphere);
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
 fn a_world_with_a_camera_only_is_black() {
-    let mut world = World::new();
-    let lens = Lens { near: 1.0, far: 1000.0, fovy: 60.0, aspect: 1.0 };
-    world.spawn((CameraPose::default(), lens));
-    world.insert_resource(Snapshot { pixels: 33, level: 3 });
-    let Traced { picture, counts } = trace::<f64>(&mut world);
-    assert!(picture.pixels.iter().all(|&pixel| pixel == [0.0; 3]));
-    assert_eq!((counts.rays.primary, counts.rays.shadow, counts.rays.mirror), (33 * 33, 0, 0));
+    fn check<T: Real>() {
+        let mut world = World::new();
+        let lens = Lens { near: 1.0, far: 1000.0, fovy: 60.0, aspect: 1.0 };
+        world.spawn((CameraPose::default(), lens));
+        world.insert_resource(Snapshot { pixels: 33, level: 3 });
+        let Traced { picture, counts } = trace::<T>(&mut world);
+        assert!(picture.pixels.iter().all(|&pixel| pixel == [0.0; 3]));
+        assert_eq!((counts.rays.primary, counts.rays.shadow, counts.rays.mirror), (33 * 33, 0, 0));
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 #[test]
