@@ -4,8 +4,8 @@
 /// Asks the system to keep the memory of a vector on large pages. It is to be asked before anything is written there: a page
 /// stays as large as it was then. Where the system does not listen, nothing changes.
 ///
-/// A film is handed out page by page, as it is written, and taken back page by page when a process ends: a third of the
-/// time from start to file. Trees of a million objects gained nothing.
+/// A film is handed out page by page, as it is written, and taken back page by page when a process ends: of the 8100 times
+/// that a process asks for one to render 1024 x 1024 pixels, 2500 are left. Trees of a million objects gained nothing.
 pub(crate) fn ask_for<V>(memory: &Vec<V>) {
     #[cfg(target_os = "linux")]
     ask(memory);
