@@ -1,8 +1,9 @@
 //! One frame of a scene, for `benches/idle_effects.sh` to count instructions of.
 //!
 //! Usage: `idle_effects PIXELS SCENE` traces a scene file, or a picture of the gallery by its name, in one thread with one
-//! sample a pixel and the instructions that every processor has, and prints the sum of all pixels; `idle_effects SCENE` prints the effects that it asks for. With `assignment` or
-//! `everything` behind them it traces with a larger kernel than the scene asks for.
+//! sample a pixel and the instructions that every processor has, and prints the sum of all pixels; `idle_effects SCENE`
+//! prints the effects that it asks for. With `assignment` or `everything` behind them it traces with a larger kernel than
+//! the scene asks for.
 #![allow(clippy::print_stdout, reason = "the script reads it")]
 
 use std::error::Error;

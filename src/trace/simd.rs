@@ -14,7 +14,7 @@ use super::tile::PacketTask;
 use super::{Counts, Kernel};
 
 /// Whether this program has code for more than every processor of its kind has. Built with `ARCHETRACE_SIMD=baseline` it has
-/// none, and far slower. For measurements that a processor's age must not change.
+/// none, and is far slower: for measurements that a processor's age must not change.
 const HAS_WIDER: bool = option_env!("ARCHETRACE_SIMD").is_none();
 
 /// The vector instructions that pictures are traced with. No picture depends on them, only its time.

@@ -122,12 +122,12 @@ impl<'a> Job<'a> {
             let is_on_the_way = pass + 1 < grid.count() || pass == 0;
             if is_on_the_way && self.request.shows == Shows::Picture && !self.monitor.is_cancelled() {
                 self.show(self.picture(&film, pass + 1, tally));
-            }
-            if pass == 0 {
                 // A coarse picture is followed by a better one at once.
-                if side == self.request.side {
+                if pass == 0 && side == self.request.side {
                     self.shared.pause(self.generation, PAUSE);
                 }
+            }
+            if pass == 0 {
                 first = film.clone();
             }
         }
