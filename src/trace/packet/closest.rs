@@ -76,12 +76,13 @@ fn search<T: Real, C>(
     }
     for row in rows {
         let shape = table.shapes.shape(row as usize);
+        let name = ObjectId::packed(C::KIND, row);
         let mut worthwhile = false;
         for lane in 0..LANES {
-            worthwhile |= shape.may_meet(&rays.get(lane));
+            worthwhile |= shape.may_meet(&rays.get(lane)) & (rays.start.departed[lane] != name);
         }
         if worthwhile {
-            test(tables, &shape, ObjectId::packed(C::KIND, row), rays, hits);
+            test(tables, &shape, name, rays, hits);
         }
     }
 }

@@ -50,11 +50,13 @@ where
     }
     for row in rows {
         let shape = table.shapes.shape(row as usize);
+        let name = ObjectId::packed(C::KIND, row);
         let mut worthwhile = false;
         for lane in 0..LANES {
-            worthwhile |= (reach[lane] > T::ZERO) & shape.may_meet(&segments.get(lane));
+            let counts = (reach[lane] > T::ZERO) & (segments.start.departed[lane] != name);
+            worthwhile |= counts & shape.may_meet(&segments.get(lane));
         }
-        if worthwhile && !test(&shape, ObjectId::packed(C::KIND, row), segments, reach) {
+        if worthwhile && !test(&shape, name, segments, reach) {
             return false;
         }
     }

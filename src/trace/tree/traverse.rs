@@ -222,10 +222,12 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         stack: &mut Stack<T>,
     ) {
         let reach = search.reach();
+        // A ray that leaves one of the shapes comes near it, of course.
         let mut worthwhile = false;
         for slot in 0..WIDTH {
             let shape = S::unpack(&leaf.block, slot);
-            worthwhile |= shape.may_meet_before(&ray.ray, ray.inverse_length, ray.inverse_square, reach);
+            let is_near = shape.may_meet_before(&ray.ray, ray.inverse_length, ray.inverse_square, reach);
+            worthwhile |= is_near & (leaf.rows[slot] != departed);
         }
         if !worthwhile {
             return;
