@@ -39,11 +39,11 @@ impl<T: Real> Block<'_, T> {
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
     ) -> SampleLanes {
-        let rays = self.rays(pixels);
+        let mut rays = self.rays(pixels);
         counts.rays.primary += pixels.count as u64;
         let &Self { tables, bounds, level, cutoff, wants_trails, .. } = self;
         let paths = Paths { tables, bounds, level, cutoff, wants_trails };
-        let (mut found, trails) = paths.radiance::<EFFECTS>(rays, scratch, counts);
+        let (mut found, trails) = paths.radiance::<EFFECTS>(&mut rays, scratch, counts);
         clamp(&mut found, counts);
         let mut colors = [[0.0; 3]; LANES];
         for lane in 0..LANES {

@@ -1,14 +1,14 @@
 //! The recursion, for a packet.
 
 use crate::effects::{Effect, reflect_long};
-use crate::geometry::Real;
+use crate::geometry::{Real, Vector};
 use crate::trace::{Counts, ObjectId, SceneTables, Trail};
 
 use super::bounds::Bounds;
 use super::bundle::{Bundle, Cluster};
 use super::closest::closest;
 use super::has;
-use super::lanes::{LANES, LaneCounts, Lanes, RayLanes, Reach, StartLanes, VectorLanes, any, nowhere};
+use super::lanes::{LANES, LaneCounts, Lanes, RayLanes, Reach, StartLanes, VectorLanes, any, mask, nowhere};
 use super::lights::{LightLanes, Lighting};
 use super::surface::{SurfaceLanes, gather};
 use super::trees::Scratch;
@@ -37,22 +37,24 @@ impl<T: Real> Paths<'_, T> {
     #[inline(always)]
     pub(super) fn radiance<const EFFECTS: u32>(
         &self,
-        departing: Departing<T>,
+        departing: &mut Departing<T>,
         scratch: &mut Scratch<T>,
         counts: &mut Counts,
     ) -> (VectorLanes<T>, [Trail; LANES]) {
         let mut trails = [Trail::default(); LANES];
         let mut sum = VectorLanes::zero();
-        let mut weight = [T::ONE; LANES];
-        let Departing { mut start, mut direction, mut reach } = departing;
-        let mut cluster = Cluster::of(&start.point, &reach);
-        let (mut shadow_rays, mut mirror_rays) = (LaneCounts::NONE, LaneCounts::NONE);
+        // Of what the next surfaces send back; nothing yet is weaker than it is.
+        let mut weight: Option<Lanes<T>> = None;
+        // In place: a copy was half of what mirrors cost scenes without any.
+        let Departing { start, direction, reach } = departing;
+        let mut cluster = Cluster::of(&start.point, reach);
+        let mut shadow_rays = LaneCounts::NONE;
         for remaining in (0..self.level).rev() {
             // 1. What the rays meet. A lane that meets nothing has nothing more to do.
-            let bundle = Bundle::of_rays(&cluster, &direction, &reach);
+            let bundle = Bundle::of_rays(&cluster, direction, reach);
             let candidates = self.bounds.near(&bundle);
-            let rays = RayLanes { start: &start, direction: &direction };
-            let hits = closest(self.tables, &rays, &reach, &bundle, &candidates, scratch);
+            let rays = RayLanes { start, direction };
+            let hits = closest(self.tables, &rays, reach, &bundle, &candidates, scratch);
             if !any(|lane| hits.name[lane] != ObjectId::NOBODY) {
                 break;
             }
@@ -63,37 +65,37 @@ impl<T: Real> Paths<'_, T> {
             // 2. Where the rays go on, for mirrors and for highlights.
             let goes_on = surface.any_mirror && remaining > 0;
             if surface.any_gloss || goes_on {
-                reflect_all(&mut direction, &surface.normal);
+                reflect_all(direction, &surface.normal);
             }
             for lane in 0..LANES {
                 let is_active = hits.name[lane] != ObjectId::NOBODY;
                 reach[lane] = if is_active { T::INFINITY } else { nowhere() };
             }
-            cluster = Cluster::of(&surface.start.point, &reach);
+            cluster = Cluster::of(&surface.start.point, reach);
             // 3. The light there.
             let lighting = Lighting {
                 tables: self.tables,
                 bounds: self.bounds,
                 surface: &surface,
                 cluster: &cluster,
-                mirrored: &direction,
+                mirrored: direction,
             };
             let trails = self.wants_trails.then_some(&mut trails);
             let light = lighting.gather::<EFFECTS>(&mut shadow_rays, scratch, trails);
-            add::<T, EFFECTS>(&mut sum, &surface, &light, &weight);
+            add::<T, EFFECTS>(&mut sum, &surface, &light, weight.as_ref());
             if !(has::<EFFECTS>(Effect::Mirror) && goes_on) {
                 break;
             }
             // 4. The next rays.
-            reflect_on(&mut reach, &mut weight, &surface, self.cutoff);
-            if !any(|lane| reach[lane] >= T::ZERO) {
+            reflect_on(reach, weight.get_or_insert([T::ONE; LANES]), &surface, self.cutoff);
+            let going_on = mask(|lane| reach[lane] >= T::ZERO).count_ones();
+            if going_on == 0 {
                 break;
             }
-            mirror_rays.add(&reach);
-            start = surface.start;
+            counts.rays.mirror += u64::from(going_on);
+            *start = surface.start;
         }
         counts.rays.shadow += shadow_rays.sum();
-        counts.rays.mirror += mirror_rays.sum();
         (sum, trails)
     }
 }
@@ -106,23 +108,39 @@ fn reflect_all<T: Real>(direction: &mut VectorLanes<T>, normal: &VectorLanes<T>)
     }
 }
 
-/// Adds the light that the surfaces send back by themselves; those of idle lanes send none.
+/// Adds the light that the surfaces send back by themselves, weakened if need be; those of idle lanes send none.
 #[inline(always)]
 fn add<T: Real, const EFFECTS: u32>(
     sum: &mut VectorLanes<T>,
     surface: &SurfaceLanes<T>,
     light: &LightLanes<T>,
-    weight: &Lanes<T>,
+    weight: Option<&Lanes<T>>,
 ) {
-    for lane in 0..LANES {
-        let mut share = surface.ambient[lane] + surface.diffuse[lane] * light.lambert[lane];
-        if has::<EFFECTS>(Effect::Gloss) {
-            share += surface.specular[lane] * light.phong[lane];
+    if let Some(weight) = weight {
+        for lane in 0..LANES {
+            let more = sum.get(lane) + sent::<T, EFFECTS>(surface, light, lane) * weight[lane];
+            sum.set_if(surface.start.departed[lane] != ObjectId::NOBODY, lane, more);
         }
-        let more = sum.get(lane) + (surface.color.get(lane) * share) * weight[lane];
-        let is_active = surface.start.departed[lane] != ObjectId::NOBODY;
-        sum.set_if(is_active, lane, more);
+    } else {
+        for lane in 0..LANES {
+            let more = sum.get(lane) + sent::<T, EFFECTS>(surface, light, lane);
+            sum.set_if(surface.start.departed[lane] != ObjectId::NOBODY, lane, more);
+        }
     }
+}
+
+/// The light that a surface sends back by itself: red, green, blue as x, y, z.
+#[inline(always)]
+fn sent<T: Real, const EFFECTS: u32>(
+    surface: &SurfaceLanes<T>,
+    light: &LightLanes<T>,
+    lane: usize,
+) -> Vector<T> {
+    let mut share = surface.ambient[lane] + surface.diffuse[lane] * light.lambert[lane];
+    if has::<EFFECTS>(Effect::Gloss) {
+        share += surface.specular[lane] * light.phong[lane];
+    }
+    surface.color.get(lane) * share
 }
 
 /// Notes what the active lanes met.
