@@ -6,7 +6,7 @@ use crate::trace::{Kind, ObjectId, SceneTables};
 
 use super::bundle::Bundle;
 use super::closest::{HitLanes, test as test_closest};
-use super::lanes::{LANES, Lanes, RayLanes, Reach, greatest, mask, range};
+use super::lanes::{LANES, Lanes, RayLanes, Reach, greatest};
 use super::occlusion::test as test_occlusion;
 
 /// A packet is as wide as so many leaves at most. With two it is as fast, with eight slower than its rays one by one.
@@ -23,31 +23,34 @@ pub(super) fn beam_of<T: Real, S: Packed<T>>(
     if !(bundle.is_narrow() && bundle.width(tree.size()) <= tree.leaf_size() * T::from_u32(LEAVES)) {
         return None;
     }
-    let active = mask(|lane| reach[lane] >= T::ZERO);
-    let any = active.trailing_zeros() as usize % LANES;
     let (point, direction) = (&rays.start.point, rays.direction);
     let origins = [
-        range_of_active(&point.x, reach, any),
-        range_of_active(&point.y, reach, any),
-        range_of_active(&point.z, reach, any),
+        range_of_active(&point.x, reach),
+        range_of_active(&point.y, reach),
+        range_of_active(&point.z, reach),
     ];
     let farthest = |[low, high]: [T; 2]| low.abs().at_least(high.abs());
     let pad = tree.rounding() * ((farthest(origins[0]) + farthest(origins[1])) + farthest(origins[2]));
     Some(Beam([
-        AxisBeam::new(0, origins[0], range_of_active(&direction.x, reach, any), pad)?,
-        AxisBeam::new(1, origins[1], range_of_active(&direction.y, reach, any), pad)?,
-        AxisBeam::new(2, origins[2], range_of_active(&direction.z, reach, any), pad)?,
+        AxisBeam::new(0, origins[0], range_of_active(&direction.x, reach), pad)?,
+        AxisBeam::new(1, origins[1], range_of_active(&direction.y, reach), pad)?,
+        AxisBeam::new(2, origins[2], range_of_active(&direction.z, reach), pad)?,
     ]))
 }
 
-/// The least and the greatest value of the active lanes, of which `any` is one.
+/// The least and the greatest value of the active lanes.
+///
+/// Idle lanes get a number that loses. An active lane's value would do for both, but compilers make of it an address for
+/// each lane, and then one number after the other: a thousand instructions.
 #[inline(always)]
-fn range_of_active<T: Real>(values: &Lanes<T>, reach: &Reach<T>, any: usize) -> [T; 2] {
-    let mut chosen = *values;
+fn range_of_active<T: Real>(values: &Lanes<T>, reach: &Reach<T>) -> [T; 2] {
+    let (mut high, mut negated) = ([-T::INFINITY; LANES], [-T::INFINITY; LANES]);
     for lane in 0..LANES {
-        chosen[lane] = if reach[lane] >= T::ZERO { values[lane] } else { values[any] };
+        let is_active = reach[lane] >= T::ZERO;
+        high[lane] = if is_active { values[lane] } else { high[lane] };
+        negated[lane] = if is_active { -values[lane] } else { negated[lane] };
     }
-    range(&chosen)
+    [-greatest(&negated), greatest(&high)]
 }
 
 /// Inverse lengths of directions, and their squares.
@@ -69,12 +72,20 @@ impl<T: Real> Inverses<T> {
         Self { length, square }
     }
 
-    /// Whether any ray may meet a shape within its reach.
+    /// Whether any ray may meet a shape of this name within its reach.
     #[inline(always)]
-    fn may_meet(&self, shape: &impl Straight<T>, rays: &RayLanes<'_, T>, reach: &Reach<T>) -> bool {
+    fn may_meet(
+        &self,
+        shape: &impl Straight<T>,
+        name: u32,
+        rays: &RayLanes<'_, T>,
+        reach: &Reach<T>,
+    ) -> bool {
         let mut any = false;
         for lane in 0..LANES {
-            any |= shape.may_meet_before(&rays.get(lane), self.length[lane], self.square[lane], reach[lane]);
+            let (length, square) = (self.length[lane], self.square[lane]);
+            let is_near = shape.may_meet_before(&rays.get(lane), length, square, reach[lane]);
+            any |= is_near & (rays.start.departed[lane] != name);
         }
         any
     }
@@ -117,8 +128,9 @@ impl<T: Real, S: Straight<T> + Bounded<T>> BeamSearch<T, S> for NearestOfBeam<'_
     #[inline(always)]
     fn meet(&mut self, shape: &S, row: u32) {
         let BeamRays { rays, inverses, kind, .. } = &self.rays;
-        if inverses.may_meet(shape, rays, &self.hits.t) {
-            test_closest(self.tables, shape, ObjectId::packed(*kind, row), rays, self.hits);
+        let name = ObjectId::packed(*kind, row);
+        if inverses.may_meet(shape, name, rays, &self.hits.t) {
+            test_closest(self.tables, shape, name, rays, self.hits);
         }
     }
 }
@@ -143,8 +155,9 @@ impl<T: Real, S: Straight<T> + Bounded<T>> BeamSearch<T, S> for AnyOfBeam<'_, T>
     #[inline(always)]
     fn meet(&mut self, shape: &S, row: u32) {
         let BeamRays { rays, inverses, kind, .. } = &self.rays;
-        if inverses.may_meet(shape, rays, self.reach) {
-            test_occlusion(shape, ObjectId::packed(*kind, row), rays, self.reach);
+        let name = ObjectId::packed(*kind, row);
+        if inverses.may_meet(shape, name, rays, self.reach) {
+            test_occlusion(shape, name, rays, self.reach);
         }
     }
 }

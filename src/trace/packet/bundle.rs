@@ -29,7 +29,7 @@ const MIDDLE: usize = 11;
 
 /// An active lane, if there is one.
 #[inline(always)]
-fn central_lane<T: Real>(reach: &Reach<T>) -> usize {
+pub(super) fn central_lane<T: Real>(reach: &Reach<T>) -> usize {
     if reach[MIDDLE] >= T::ZERO {
         MIDDLE
     } else {

@@ -166,23 +166,28 @@ pub(super) fn mask(is_true: impl Fn(usize) -> bool) -> u32 {
 /// The greatest of all lanes, none of them NaN.
 #[inline(always)]
 pub(super) fn greatest<T: Real>(values: &Lanes<T>) -> T {
-    let sixteen: [T; 16] = core::array::from_fn(|lane| values[lane].at_least(values[lane + 16]));
-    let eight: [T; 8] = core::array::from_fn(|lane| sixteen[lane].at_least(sixteen[lane + 8]));
-    let four: [T; 4] = core::array::from_fn(|lane| eight[lane].at_least(eight[lane + 4]));
-    four[0].at_least(four[2]).at_least(four[1].at_least(four[3]))
-}
-
-/// The least and the greatest of all lanes, none of them NaN.
-#[inline(always)]
-pub(super) fn range<T: Real>(values: &Lanes<T>) -> [T; 2] {
-    [-greatest(&values.map(|value| -value)), greatest(values)]
+    folded(values, |a, b| a.at_least(b))
 }
 
 /// The least of all lanes.
 #[inline(always)]
 pub(super) fn least(values: &Lanes<u32>) -> u32 {
-    let sixteen: [u32; 16] = core::array::from_fn(|lane| values[lane].min(values[lane + 16]));
-    let eight: [u32; 8] = core::array::from_fn(|lane| sixteen[lane].min(sixteen[lane + 8]));
-    let four: [u32; 4] = core::array::from_fn(|lane| eight[lane].min(eight[lane + 4]));
-    four[0].min(four[2]).min(four[1].min(four[3]))
+    folded(values, |a, b| a.min(b))
+}
+
+/// All lanes as one, by halves: the order does not matter to the operation. Loops, because what the array functions of the
+/// standard library are given is not always inlined.
+#[inline(always)]
+fn folded<V: Copy>(values: &Lanes<V>, joined: impl Fn(V, V) -> V) -> V {
+    let (mut sixteen, mut eight, mut four) = ([values[0]; 16], [values[0]; 8], [values[0]; 4]);
+    for lane in 0..16 {
+        sixteen[lane] = joined(values[lane], values[lane + 16]);
+    }
+    for lane in 0..8 {
+        eight[lane] = joined(sixteen[lane], sixteen[lane + 8]);
+    }
+    for lane in 0..4 {
+        four[lane] = joined(eight[lane], eight[lane + 4]);
+    }
+    joined(joined(four[0], four[2]), joined(four[1], four[3]))
 }

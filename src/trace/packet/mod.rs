@@ -20,6 +20,7 @@ mod closest;
 mod lanes;
 mod lights;
 mod occlusion;
+mod parties;
 mod path;
 mod stream;
 mod surface;

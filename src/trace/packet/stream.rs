@@ -26,6 +26,7 @@ impl<T: Real> Packet<T> {
     fn of(queries: &[Query<T>]) -> Self {
         let (mut start, mut direction, mut reach) =
             (StartLanes::free(), VectorLanes::zero(), [nowhere(); LANES]);
+        let mut any_inward = false;
         for (lane, query) in queries.iter().enumerate().take(LANES) {
             start.point.set(lane, query.ray.origin);
             direction.set(lane, query.ray.direction);
@@ -35,8 +36,9 @@ impl<T: Real> Packet<T> {
                 Departure::Outward(object) => (ObjectId::packed(object.kind, object.row), OUTWARD),
                 Departure::Inward(object, face) => (ObjectId::packed(object.kind, object.row), face.into()),
             };
-            start.any_inward |= start.face[lane] != OUTWARD;
+            any_inward |= start.face[lane] != OUTWARD;
         }
+        start.any_inward = any_inward;
         for lane in queries.len()..LANES {
             direction.set(lane, Vector::new(T::ONE, T::ZERO, T::ZERO));
         }

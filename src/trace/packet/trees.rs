@@ -1,14 +1,15 @@
 //! Packets and trees: all rays as one where they go much the same way, otherwise each by itself.
 
 use crate::geometry::Real;
-use crate::trace::tree::{Any, Beam, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk};
+use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
-use super::beam::{AnyOfBeam, BeamRays, NearestOfBeam, beam_of};
+use super::beam::{AnyOfBeam, BeamRays, NearestOfBeam};
 use super::bundle::Bundle;
 use super::closest::HitLanes;
 use super::lanes::{LANES, Lanes, RayLanes, Reach, VectorLanes, mask, nowhere};
 use super::occlusion::test as test_occlusion;
+use super::parties::{Parties, Party};
 
 /// Rays that take turns in a tree.
 const GROUP: usize = 8;
@@ -82,12 +83,21 @@ pub(super) fn search_tree<T: Real, C>(
 {
     let Some(tree) = tree else { return };
     let search: ClosestSearch<'_, T, C> = ClosestSearch { tables, tree, rays };
-    if let Some(beam) = beam_of(tree, rays, bundle, &hits.t) {
-        search.together(&beam, bundle, hits, &mut scratch.stacks[0]);
-    } else if tree.is_large() {
-        search.in_turns(hits, &mut scratch.stacks);
+    let mut parties = Parties::of(tree, rays, bundle, &hits.t);
+    while let Some(party) = parties.next() {
+        let before = core::mem::replace(&mut hits.t, party.reach);
+        search.together(&party, hits, &mut scratch.stacks[0]);
+        party.restore(&mut hits.t, &before);
+    }
+    let alone = parties.alone();
+    if alone == 0 {
+        return;
+    }
+    let numbers = NumberLanes::of(rays, tree.rounding());
+    if tree.is_large() {
+        search.in_turns(&numbers, alone, hits, &mut scratch.stacks);
     } else {
-        search.one_by_one(hits, &mut scratch.stacks[0]);
+        search.one_by_one(&numbers, alone, hits, &mut scratch.stacks[0]);
     }
 }
 
@@ -99,34 +109,46 @@ struct ClosestSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
 
 impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> {
     #[inline(always)]
-    fn together(&self, beam: &Beam<T>, bundle: &Bundle<T>, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
-        let rays = BeamRays::new(self.rays, bundle, C::KIND);
-        self.tree.search_beam::<true>(beam, stack, &mut NearestOfBeam { tables: self.tables, rays, hits });
+    fn together(&self, party: &Party<T>, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
+        let rays = BeamRays::new(self.rays, &party.bundle, C::KIND);
+        self.tree.search_beam::<true>(
+            &party.beam,
+            stack,
+            &mut NearestOfBeam { tables: self.tables, rays, hits },
+        );
     }
 
+    /// The lanes with a bit.
     #[inline(always)]
-    fn one_by_one(&self, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
-        let numbers = NumberLanes::of(self.rays, self.tree.rounding());
-        for lane in 0..LANES {
-            // An idle lane's reach is below 0, and so is its t.
-            if hits.t[lane] >= T::ZERO {
-                let mut walk = self.walk(lane, &numbers, hits);
-                self.tree.search::<true, _>(&mut walk, stack);
-                self.settle(lane, &walk.search, hits);
-            }
+    fn one_by_one(&self, numbers: &NumberLanes<T>, lanes: u32, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
+        let mut left = lanes;
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let mut walk = self.walk(lane, numbers, hits);
+            self.tree.search::<true, _>(&mut walk, stack);
+            self.settle(lane, &walk.search, hits);
         }
     }
 
+    /// The lanes with a bit.
     #[inline(always)]
-    fn in_turns(&self, hits: &mut HitLanes<T>, stacks: &mut [Stack<T>; GROUP]) {
-        let numbers = NumberLanes::of(self.rays, self.tree.rounding());
-        let active = mask(|lane| hits.t[lane] >= T::ZERO);
+    fn in_turns(
+        &self,
+        numbers: &NumberLanes<T>,
+        lanes: u32,
+        hits: &mut HitLanes<T>,
+        stacks: &mut [Stack<T>; GROUP],
+    ) {
         for first in (0..LANES).step_by(GROUP) {
             let mut walks: [_; GROUP] =
-                core::array::from_fn(|number| self.walk(first + number, &numbers, hits));
-            self.tree.search_in_turns::<true, _>(&mut walks, active >> first & ALL, stacks);
+                core::array::from_fn(|number| self.walk(first + number, numbers, hits));
+            let active = lanes >> first & ALL;
+            self.tree.search_in_turns::<true, _>(&mut walks, active, stacks);
             for (lane, walk) in (first..).zip(&walks) {
-                self.settle(lane, &walk.search, hits);
+                if active >> (lane - first) & 1 == 1 {
+                    self.settle(lane, &walk.search, hits);
+                }
             }
         }
     }
@@ -167,12 +189,21 @@ pub(super) fn block_tree<T: Real, C>(
     if *last != NO_ROW && !search.hide(*last, reach) {
         return;
     }
-    if let Some(beam) = beam_of(tree, segments, bundle, reach) {
-        search.together(&beam, bundle, reach, &mut scratch.stacks[0]);
-    } else if tree.is_large() {
-        search.in_turns(reach, last, &mut scratch.stacks);
+    let mut parties = Parties::of(tree, segments, bundle, reach);
+    while let Some(party) = parties.next() {
+        let before = core::mem::replace(reach, party.reach);
+        search.together(&party, reach, &mut scratch.stacks[0]);
+        party.restore(reach, &before);
+    }
+    let alone = parties.alone();
+    if alone == 0 {
+        return;
+    }
+    let numbers = NumberLanes::of(segments, tree.rounding());
+    if tree.is_large() {
+        search.in_turns(&numbers, alone, reach, last, &mut scratch.stacks);
     } else {
-        search.one_by_one(reach, last, &mut scratch.stacks[0]);
+        search.one_by_one(&numbers, alone, reach, last, &mut scratch.stacks[0]);
     }
 }
 
@@ -184,33 +215,49 @@ struct ShadowSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
 
 impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
     #[inline(always)]
-    fn together(&self, beam: &Beam<T>, bundle: &Bundle<T>, reach: &mut Reach<T>, stack: &mut Stack<T>) {
-        let rays = BeamRays::new(self.segments, bundle, C::KIND);
-        self.tree.search_beam::<false>(beam, stack, &mut AnyOfBeam { rays, reach });
+    fn together(&self, party: &Party<T>, reach: &mut Reach<T>, stack: &mut Stack<T>) {
+        let rays = BeamRays::new(self.segments, &party.bundle, C::KIND);
+        self.tree.search_beam::<false>(&party.beam, stack, &mut AnyOfBeam { rays, reach });
     }
 
+    /// The lanes with a bit.
     #[inline(always)]
-    fn one_by_one(&self, reach: &mut Reach<T>, last: &mut u32, stack: &mut Stack<T>) {
-        let numbers = NumberLanes::of(self.segments, self.tree.rounding());
-        for lane in 0..LANES {
-            if reach[lane] > T::ZERO {
-                let mut walk = self.walk(lane, &numbers, reach);
-                self.tree.search::<false, _>(&mut walk, stack);
-                if walk.search.row != NO_ROW {
-                    *last = walk.search.row;
-                    self.hide(*last, reach);
-                }
+    fn one_by_one(
+        &self,
+        numbers: &NumberLanes<T>,
+        lanes: u32,
+        reach: &mut Reach<T>,
+        last: &mut u32,
+        stack: &mut Stack<T>,
+    ) {
+        let mut left = lanes;
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize;
+            let mut walk = self.walk(lane, numbers, reach);
+            self.tree.search::<false, _>(&mut walk, stack);
+            left &= left - 1;
+            if walk.search.row != NO_ROW {
+                *last = walk.search.row;
+                self.hide(*last, reach);
+                left &= mask(|lane| reach[lane] > T::ZERO);
             }
         }
     }
 
+    /// The lanes with a bit.
     #[inline(always)]
-    fn in_turns(&self, reach: &mut Reach<T>, last: &mut u32, stacks: &mut [Stack<T>; GROUP]) {
-        let numbers = NumberLanes::of(self.segments, self.tree.rounding());
+    fn in_turns(
+        &self,
+        numbers: &NumberLanes<T>,
+        lanes: u32,
+        reach: &mut Reach<T>,
+        last: &mut u32,
+        stacks: &mut [Stack<T>; GROUP],
+    ) {
         for first in (0..LANES).step_by(GROUP) {
             let mut walks: [_; GROUP] =
-                core::array::from_fn(|number| self.walk(first + number, &numbers, reach));
-            let active = mask(|lane| reach[lane] > T::ZERO) >> first & ALL;
+                core::array::from_fn(|number| self.walk(first + number, numbers, reach));
+            let active = lanes >> first & ALL;
             self.tree.search_in_turns::<false, _>(&mut walks, active, stacks);
             for (lane, walk) in (first..).zip(&walks) {
                 if walk.search.row != NO_ROW {
