@@ -162,7 +162,7 @@ mod tests {
             (StartLanes::free(), VectorLanes::zero(), [nowhere(); LANES]);
         for (lane, slope) in (0..LANES).zip(1_u32..) {
             starts.point.set(lane, start(lane));
-            directions.set(lane, Vector::new(3.0, 1e-4 * f64::from(slope), 1e-4));
+            directions.set(lane, Vector::new(3.0, f64::from(slope) / 8192.0, 1.0 / 8192.0));
             reach[lane] = if lanes >> lane & 1 == 1 { f64::INFINITY } else { nowhere() };
         }
         (starts, directions, reach)
@@ -209,7 +209,7 @@ mod tests {
         let (start, mut direction, reach) = packet(|_| Vector::new(-10.0, 20.0, 30.0), ACTIVE);
         // The second passes for narrow, but goes the other way along one axis.
         direction.set(0, Vector::new(-3.0, 0.0, 0.0));
-        direction.set(1, Vector::new(3.0, -1e-4, 1e-4));
+        direction.set(1, Vector::new(3.0, -1.0 / 8192.0, 1.0 / 8192.0));
         assert_eq!(parted(&start, &direction, &reach), (vec![ACTIVE & !3], 3));
     }
 
