@@ -146,9 +146,7 @@ impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> 
             let active = lanes >> first & ALL;
             self.tree.search_in_turns::<true, _>(&mut walks, active, stacks);
             for (lane, walk) in (first..).zip(&walks) {
-                if active >> (lane - first) & 1 == 1 {
-                    self.settle(lane, &walk.search, hits);
-                }
+                self.settle(lane, &walk.search, hits);
             }
         }
     }
