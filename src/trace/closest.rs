@@ -26,7 +26,7 @@ pub(super) fn closest_hit_with<T: Real>(
     ray: &Ray<T>,
     departure: &Departure,
     reach: T,
-    stack: &mut Option<Stack<T>>,
+    stack: &mut Option<Stack>,
 ) -> Option<Hit<T>> {
     let mut nearest = Nearest { tables, reach, name: ObjectId::NOBODY, crossing: None };
     // The boards first: what lies behind one is out of the question.
@@ -113,7 +113,7 @@ impl<T: Real> Nearest<'_, T> {
         tree: &Tree<T, C::Shape>,
         ray: &Ray<T>,
         departure: &Departure,
-        stack: &mut Option<Stack<T>>,
+        stack: &mut Option<Stack>,
     ) {
         let departed = departure.rows(C::KIND);
         // A tree knows no exits.

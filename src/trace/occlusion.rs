@@ -21,7 +21,7 @@ pub(super) fn is_occluded_with<T: Real>(
     ray: &Ray<T>,
     departure: &Departure,
     reach: T,
-    stack: &mut Option<Stack<T>>,
+    stack: &mut Option<Stack>,
 ) -> bool {
     let trees = &tables.trees;
     blocks(&tables.spheres, trees.spheres.as_deref(), ray, departure, reach, stack)
@@ -37,7 +37,7 @@ fn blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     ray: &Ray<T>,
     departure: &Departure,
     reach: T,
-    stack: &mut Option<Stack<T>>,
+    stack: &mut Option<Stack>,
 ) -> bool {
     match tree {
         Some(tree) => tree_blocks(table, tree, ray, departure, reach, stack),
@@ -79,7 +79,7 @@ fn tree_blocks<T: Real, C: ShapeColumns<T, Shape: Packed<T>>>(
     ray: &Ray<T>,
     departure: &Departure,
     reach: T,
-    stack: &mut Option<Stack<T>>,
+    stack: &mut Option<Stack>,
 ) -> bool {
     let departed = departure.rows(C::KIND);
     // A tree knows no exits.

@@ -66,7 +66,7 @@ impl Simd {
         kernel: Kernel,
         task: &'a PacketTask<'a, T>,
         queue: &'a mut dyn PixelQueue,
-        scratch: &'a mut Scratch<T>,
+        scratch: &'a mut Scratch,
     ) -> Counts {
         T::by_precision::<TracePixels<'a>>(Input { level: self.0, kernel, task, queue, scratch })
     }
@@ -80,7 +80,7 @@ struct Input<'a, T: Real> {
     kernel: Kernel,
     task: &'a PacketTask<'a, T>,
     queue: &'a mut dyn PixelQueue,
-    scratch: &'a mut Scratch<T>,
+    scratch: &'a mut Scratch,
 }
 
 impl<'a> ByPrecision for TracePixels<'a> {

@@ -117,7 +117,7 @@ impl<T: Real> PacketTask<'_, T> {
     pub(super) fn trace_packets<const EFFECTS: u32>(
         &self,
         queue: &mut dyn PixelQueue,
-        scratch: &mut Scratch<T>,
+        scratch: &mut Scratch,
     ) -> Counts {
         let mut counts = Counts::default();
         let &Exposure { tables, corner, depth, grid, .. } = self.exposure;

@@ -36,7 +36,7 @@ impl<T: Real> Block<'_, T> {
     pub(in crate::trace) fn trace<const EFFECTS: u32>(
         &self,
         pixels: &PixelLanes,
-        scratch: &mut Scratch<T>,
+        scratch: &mut Scratch,
         counts: &mut Counts,
     ) -> SampleLanes {
         let mut rays = self.rays(pixels);

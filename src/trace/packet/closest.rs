@@ -44,7 +44,7 @@ pub(super) fn closest<T: Real>(
     reach: &Reach<T>,
     bundle: &Bundle<T>,
     candidates: &Candidates,
-    scratch: &mut Scratch<T>,
+    scratch: &mut Scratch,
 ) -> HitLanes<T> {
     let mut hits = HitLanes { t: *reach, name: [ObjectId::NOBODY; LANES], face: [0; LANES] };
     search(tables, &tables.spheres, candidates.of(Kind::Sphere), rays, &mut hits);

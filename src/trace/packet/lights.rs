@@ -36,7 +36,7 @@ impl<T: Real> Lighting<'_, T> {
     pub(super) fn gather<const EFFECTS: u32>(
         &self,
         shadow_rays: &mut LaneCounts,
-        scratch: &mut Scratch<T>,
+        scratch: &mut Scratch,
         mut trails: Option<&mut [Trail; LANES]>,
     ) -> LightLanes<T> {
         let mut sums = LightLanes { lambert: [T::ZERO; LANES], phong: [T::ZERO; LANES] };
@@ -52,7 +52,7 @@ impl<T: Real> Lighting<'_, T> {
         row: usize,
         sums: &mut LightLanes<T>,
         shadow_rays: &mut LaneCounts,
-        scratch: &mut Scratch<T>,
+        scratch: &mut Scratch,
         trails: Option<&mut [Trail; LANES]>,
     ) {
         // 1. Points that face the light, in its cone, and not so far that nothing arrives.

@@ -18,7 +18,7 @@ pub(super) fn occlude<T: Real>(
     bundle: &Bundle<T>,
     candidates: &Candidates,
     light: usize,
-    scratch: &mut Scratch<T>,
+    scratch: &mut Scratch,
 ) {
     if segments.start.any_inward {
         leave(tables, segments, reach);

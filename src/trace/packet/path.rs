@@ -38,7 +38,7 @@ impl<T: Real> Paths<'_, T> {
     pub(super) fn radiance<const EFFECTS: u32>(
         &self,
         departing: &mut Departing<T>,
-        scratch: &mut Scratch<T>,
+        scratch: &mut Scratch,
         counts: &mut Counts,
     ) -> (VectorLanes<T>, [Trail; LANES]) {
         let mut trails = [Trail::default(); LANES];

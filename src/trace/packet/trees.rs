@@ -1,7 +1,7 @@
 //! Packets and trees: all rays as one where they go much the same way, otherwise each by itself.
 
 use crate::geometry::Real;
-use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk};
+use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk, Walks};
 use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 use super::beam::{AnyOfBeam, BeamRays, NearestOfBeam};
@@ -12,11 +12,11 @@ use super::occlusion::test as test_occlusion;
 use super::parties::{Parties, Party};
 
 /// Rays that take turns in a tree.
-const GROUP: usize = 8;
+const GROUP: usize = 16;
 
 /// What searches need room for, kept from one to the next.
-pub(in crate::trace) struct Scratch<T> {
-    stacks: [Stack<T>; GROUP],
+pub(in crate::trace) struct Scratch {
+    stacks: [Stack; GROUP],
     /// For some lights and each kind, the row that hid a light last: likely to hide it again.
     occluders: [[u32; 3]; LIGHTS],
 }
@@ -24,7 +24,7 @@ pub(in crate::trace) struct Scratch<T> {
 /// Lights that a last occluder is remembered for; others share.
 const LIGHTS: usize = 8;
 
-impl<T: Real> Scratch<T> {
+impl Scratch {
     pub(in crate::trace) fn new() -> Self {
         Self { stacks: core::array::from_fn(|_| Stack::new()), occluders: [[NO_ROW; 3]; LIGHTS] }
     }
@@ -66,9 +66,6 @@ impl<T: Real> NumberLanes<T> {
     }
 }
 
-/// A bit for each ray of a group.
-const ALL: u32 = (1 << GROUP) - 1;
-
 /// Searches the tree of one kind for every lane.
 #[inline(always)]
 pub(super) fn search_tree<T: Real, C>(
@@ -77,7 +74,7 @@ pub(super) fn search_tree<T: Real, C>(
     rays: &RayLanes<'_, T>,
     bundle: &Bundle<T>,
     hits: &mut HitLanes<T>,
-    scratch: &mut Scratch<T>,
+    scratch: &mut Scratch,
 ) where
     C: ShapeColumns<T, Shape: Packed<T>>,
 {
@@ -93,12 +90,9 @@ pub(super) fn search_tree<T: Real, C>(
     if alone == 0 {
         return;
     }
-    let numbers = NumberLanes::of(rays, tree.rounding());
-    if tree.is_large() {
-        search.in_turns(&numbers, alone, hits, &mut scratch.stacks);
-    } else {
-        search.one_by_one(&numbers, alone, hits, &mut scratch.stacks[0]);
-    }
+    let numbers = &NumberLanes::of(rays, tree.rounding());
+    let mut rays = ClosestWalks { search, numbers, left: alone, hits };
+    tree.search_all::<true, _, _>(&mut rays, &mut scratch.stacks);
 }
 
 struct ClosestSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
@@ -109,7 +103,7 @@ struct ClosestSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
 
 impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> {
     #[inline(always)]
-    fn together(&self, party: &Party<T>, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
+    fn together(&self, party: &Party<T>, hits: &mut HitLanes<T>, stack: &mut Stack) {
         let rays = BeamRays::new(self.rays, &party.bundle, C::KIND);
         self.tree.search_beam::<true>(
             &party.beam,
@@ -117,54 +111,36 @@ impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ClosestSearch<'a, T, C> 
             &mut NearestOfBeam { tables: self.tables, rays, hits },
         );
     }
+}
 
-    /// The lanes with a bit.
-    #[inline(always)]
-    fn one_by_one(&self, numbers: &NumberLanes<T>, lanes: u32, hits: &mut HitLanes<T>, stack: &mut Stack<T>) {
-        let mut left = lanes;
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize;
-            left &= left - 1;
-            let mut walk = self.walk(lane, numbers, hits);
-            self.tree.search::<true, _>(&mut walk, stack);
-            self.settle(lane, &walk.search, hits);
-        }
-    }
+/// Rays by themselves.
+struct ClosestWalks<'a, 'b, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
+    search: ClosestSearch<'a, T, C>,
+    numbers: &'b NumberLanes<T>,
+    /// Lanes that have not been sent out, one bit each.
+    left: u32,
+    hits: &'b mut HitLanes<T>,
+}
 
-    /// The lanes with a bit.
+impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> Walks<T, Nearest<'a, T>>
+    for ClosestWalks<'a, '_, T, C>
+{
     #[inline(always)]
-    fn in_turns(
-        &self,
-        numbers: &NumberLanes<T>,
-        lanes: u32,
-        hits: &mut HitLanes<T>,
-        stacks: &mut [Stack<T>; GROUP],
-    ) {
-        for first in (0..LANES).step_by(GROUP) {
-            let mut walks: [_; GROUP] =
-                core::array::from_fn(|number| self.walk(first + number, numbers, hits));
-            let active = lanes >> first & ALL;
-            self.tree.search_in_turns::<true, _>(&mut walks, active, stacks);
-            for (lane, walk) in (first..).zip(&walks) {
-                self.settle(lane, &walk.search, hits);
-            }
-        }
+    fn start(&mut self) -> Option<(usize, Walk<T, Nearest<'a, T>>)> {
+        let lane = take_lane(&mut self.left)?;
+        let ClosestSearch { tables, rays, .. } = self.search;
+        let (t, name, face) = (self.hits.t[lane], self.hits.name[lane], self.hits.face[lane]);
+        let search = Nearest { tables, kind: C::KIND, t, name, face };
+        let ray = TreeRay::of(rays.get(lane), &self.numbers.get(lane));
+        Some((lane, Walk::new(ray, departed_row(rays, lane, C::KIND), search)))
     }
 
     #[inline(always)]
-    fn walk(&self, lane: usize, numbers: &NumberLanes<T>, hits: &HitLanes<T>) -> Walk<T, Nearest<'a, T>> {
-        let (t, name, face) = (hits.t[lane], hits.name[lane], hits.face[lane]);
-        let search = Nearest { tables: self.tables, kind: C::KIND, t, name, face };
-        let ray = TreeRay::of(self.rays.get(lane), &numbers.get(lane));
-        Walk::new(ray, departed_row(self.rays, lane, C::KIND), search)
-    }
-
-    /// Takes over what was found.
-    #[inline(always)]
-    fn settle(&self, lane: usize, search: &Nearest<'_, T>, hits: &mut HitLanes<T>) {
-        hits.t[lane] = search.t;
-        hits.name[lane] = search.name;
-        hits.face[lane] = search.face;
+    fn finish(&mut self, lane: usize, search: &Nearest<'a, T>) {
+        let lane = lane % LANES;
+        self.hits.t[lane] = search.t;
+        self.hits.name[lane] = search.name;
+        self.hits.face[lane] = search.face;
     }
 }
 
@@ -177,7 +153,7 @@ pub(super) fn block_tree<T: Real, C>(
     bundle: &Bundle<T>,
     reach: &mut Reach<T>,
     light: usize,
-    scratch: &mut Scratch<T>,
+    scratch: &mut Scratch,
 ) where
     C: ShapeColumns<T, Shape: Packed<T>>,
 {
@@ -197,12 +173,10 @@ pub(super) fn block_tree<T: Real, C>(
     if alone == 0 {
         return;
     }
-    let numbers = NumberLanes::of(segments, tree.rounding());
-    if tree.is_large() {
-        search.in_turns(&numbers, alone, reach, last, &mut scratch.stacks);
-    } else {
-        search.one_by_one(&numbers, alone, reach, last, &mut scratch.stacks[0]);
-    }
+    let numbers = &NumberLanes::of(segments, tree.rounding());
+    let shares = !tree.is_large();
+    let mut rays = ShadowWalks { search, numbers, left: alone, reach, last, shares };
+    tree.search_all::<false, _, _>(&mut rays, &mut scratch.stacks);
 }
 
 struct ShadowSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
@@ -213,64 +187,9 @@ struct ShadowSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
 
 impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
     #[inline(always)]
-    fn together(&self, party: &Party<T>, reach: &mut Reach<T>, stack: &mut Stack<T>) {
+    fn together(&self, party: &Party<T>, reach: &mut Reach<T>, stack: &mut Stack) {
         let rays = BeamRays::new(self.segments, &party.bundle, C::KIND);
         self.tree.search_beam::<false>(&party.beam, stack, &mut AnyOfBeam { rays, reach });
-    }
-
-    /// The lanes with a bit.
-    #[inline(always)]
-    fn one_by_one(
-        &self,
-        numbers: &NumberLanes<T>,
-        lanes: u32,
-        reach: &mut Reach<T>,
-        last: &mut u32,
-        stack: &mut Stack<T>,
-    ) {
-        let mut left = lanes;
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize;
-            let mut walk = self.walk(lane, numbers, reach);
-            self.tree.search::<false, _>(&mut walk, stack);
-            left &= left - 1;
-            if walk.search.row != NO_ROW {
-                *last = walk.search.row;
-                self.hide(*last, reach);
-                left &= mask(|lane| reach[lane] > T::ZERO);
-            }
-        }
-    }
-
-    /// The lanes with a bit.
-    #[inline(always)]
-    fn in_turns(
-        &self,
-        numbers: &NumberLanes<T>,
-        lanes: u32,
-        reach: &mut Reach<T>,
-        last: &mut u32,
-        stacks: &mut [Stack<T>; GROUP],
-    ) {
-        for first in (0..LANES).step_by(GROUP) {
-            let mut walks: [_; GROUP] =
-                core::array::from_fn(|number| self.walk(first + number, numbers, reach));
-            let active = lanes >> first & ALL;
-            self.tree.search_in_turns::<false, _>(&mut walks, active, stacks);
-            for (lane, walk) in (first..).zip(&walks) {
-                if walk.search.row != NO_ROW {
-                    *last = walk.search.row;
-                    reach[lane] = nowhere();
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn walk(&self, lane: usize, numbers: &NumberLanes<T>, reach: &Reach<T>) -> Walk<T, Any<T>> {
-        let ray = TreeRay::of(self.segments.get(lane), &numbers.get(lane));
-        let any = Any { row: NO_ROW, reach: reach[lane] };
-        Walk::new(ray, departed_row(self.segments, lane, C::KIND), any)
     }
 
     /// Lets a row hide the light in whatever lanes it does; whether any lane is left.
@@ -279,6 +198,53 @@ impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> ShadowSearch<'_, T, C> {
         let shape = self.table.shapes.shape(row as usize);
         test_occlusion(&shape, ObjectId::packed(C::KIND, row), self.segments, reach)
     }
+}
+
+/// Rays by themselves.
+struct ShadowWalks<'a, 'b, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
+    search: ShadowSearch<'a, T, C>,
+    numbers: &'b NumberLanes<T>,
+    /// Lanes that have not been sent out, one bit each.
+    left: u32,
+    reach: &'b mut Reach<T>,
+    /// The row that hid the light last.
+    last: &'b mut u32,
+    /// Whether it is held against those that wait: in large trees objects are so small that it hides it from few.
+    shares: bool,
+}
+
+impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> Walks<T, Any<T>> for ShadowWalks<'_, '_, T, C> {
+    #[inline(always)]
+    fn start(&mut self) -> Option<(usize, Walk<T, Any<T>>)> {
+        let lane = take_lane(&mut self.left)?;
+        let segments = self.search.segments;
+        let ray = TreeRay::of(segments.get(lane), &self.numbers.get(lane));
+        let any = Any { row: NO_ROW, reach: self.reach[lane] };
+        Some((lane, Walk::new(ray, departed_row(segments, lane, C::KIND), any)))
+    }
+
+    #[inline(always)]
+    fn finish(&mut self, lane: usize, search: &Any<T>) {
+        if search.row != NO_ROW {
+            *self.last = search.row;
+            self.reach[lane % LANES] = nowhere();
+            if self.shares && self.left != 0 {
+                self.search.hide(*self.last, self.reach);
+                self.left &= mask(|lane| self.reach[lane] > T::ZERO);
+            }
+        }
+    }
+}
+
+/// Takes the first lane out of those of some bits.
+#[inline(always)]
+fn take_lane(left: &mut u32) -> Option<usize> {
+    if *left == 0 {
+        return None;
+    }
+    let lane = left.trailing_zeros() as usize % LANES;
+    *left &= *left - 1;
+    Some(lane)
 }
 
 /// The row of one kind that the ray of a lane leaves.

@@ -30,7 +30,7 @@ impl<T: Real> AxisBeam<T> {
         if backwards != (directions[0] < T::ZERO) {
             return None;
         }
-        let [most, least] = directions.map(|direction| inverse(direction, backwards));
+        let (most, least) = (inverse(directions[0], backwards), inverse(directions[1], backwards));
         let (near_origin, far_origin) = if backwards { (low, high) } else { (high, low) };
         let (near, far) = if backwards { (axis + 3, axis) } else { (axis, axis + 3) };
         Some(Self { near_origin, far_origin, least, most, near, far })
@@ -61,8 +61,9 @@ impl<T: Real> Beam<T> {
     #[inline(always)]
     pub(super) fn enter(&self, node: &Node<T>, limit: T, found: &mut Eight<T>) {
         let [x, y, z] = &self.0;
-        let [near_x, near_y, near_z] = [x, y, z].map(|axis| &node.bounds[axis.near]);
-        let [far_x, far_y, far_z] = [x, y, z].map(|axis| &node.bounds[axis.far]);
+        let bounds = &node.bounds;
+        let (near_x, near_y, near_z) = (&bounds[x.near], &bounds[y.near], &bounds[z.near]);
+        let (far_x, far_y, far_z) = (&bounds[x.far], &bounds[y.far], &bounds[z.far]);
         for slot in 0..WIDTH {
             let entry = larger(x.earliest(near_x[slot]), y.earliest(near_y[slot]));
             let entry = larger(entry, larger(z.earliest(near_z[slot]), T::ZERO));

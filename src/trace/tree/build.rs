@@ -3,8 +3,12 @@
 use crate::geometry::{Bounded, Bounds3, Real};
 use crate::trace::ShapeColumns;
 
-use super::split::{Item, Range, split};
-use super::{Child, WIDTH};
+use super::collapse::Halving;
+use super::split::{Item, Range};
+use super::{Child, SMALLEST_TREE, WIDTH};
+
+/// The root is a node.
+const _: () = assert!(SMALLEST_TREE > WIDTH);
 
 /// Two pieces of work that may be done at the same time.
 pub trait Fork: Sync {
@@ -31,9 +35,7 @@ impl Fork for Sequential {
 }
 
 /// Fewer items than this are not worth a thread.
-const WORTH_A_THREAD: usize = 8192;
-/// Below this depth halves are taken, so that no stack of a traversal overflows.
-const DEEP: u32 = 20;
+pub(super) const WORTH_A_THREAD: usize = 8192;
 
 /// Nodes and leaves without boxes; see [`Child`] for the numbers.
 #[derive(Default)]
@@ -48,9 +50,10 @@ where
     C: ShapeColumns<T, Shape: Bounded<T>> + Sync,
 {
     let mut items = items(shapes, fork);
-    let mut whole = Topology::default();
-    whole.grow(Range::of(&mut items), 0, fork);
-    whole
+    let halving = Halving::of(Range::of(&mut items), fork);
+    let mut topology = Topology::default();
+    topology.add(&halving, halving.whole(), &items);
+    topology
 }
 
 /// Shapes as boxes in a cube of side 1, in single precision: good enough to choose by.
@@ -104,31 +107,17 @@ pub(super) fn fill<V: Send>(
 }
 
 impl Topology {
-    /// Adds the subtree over some items, and returns its code.
-    fn grow(&mut self, range: Range<'_>, depth: u32, fork: &impl Fork) -> u32 {
-        if depth > 0 && range.items.len() <= WIDTH {
-            return self.add_leaf(range.items);
+    /// Adds a part of the items, and returns its code.
+    fn add(&mut self, halving: &Halving, part: u32, items: &[Item]) -> u32 {
+        if let Some(held) = halving.leaf(part, items) {
+            return self.add_leaf(held);
         }
         let node = self.nodes.len();
         self.nodes.push([Child::NOTHING; WIDTH]);
-        let ranges = if range.items.len() > WORTH_A_THREAD {
-            halves(range, WIDTH, depth, fork)
-        } else {
-            largest_first(range, depth)
-        };
-        let codes = self.grow_all(ranges, depth + 1, fork);
-        for (place, code) in self.nodes[node].iter_mut().zip(codes) {
-            *place = code;
+        for (slot, child) in halving.children(part).enumerate() {
+            self.nodes[node][slot] = self.add(halving, child, items);
         }
         number(node)
-    }
-
-    fn grow_all(&mut self, ranges: Vec<Range<'_>>, depth: u32, fork: &impl Fork) -> Vec<u32> {
-        if ranges.iter().map(|range| range.items.len()).sum::<usize>() <= WORTH_A_THREAD {
-            return ranges.into_iter().map(|range| self.grow(range, depth, fork)).collect();
-        }
-        let parts = separately(ranges, depth, fork);
-        parts.into_iter().map(|(part, code)| self.append(part, code)).collect()
     }
 
     fn add_leaf(&mut self, items: &[Item]) -> u32 {
@@ -137,66 +126,9 @@ impl Topology {
         self.leaves.push(core::array::from_fn(|slot| items[slot.min(last)].row()));
         Child::LEAF | leaf
     }
-
-    /// Takes over a subtree that was built apart, and returns its code here.
-    fn append(&mut self, part: Self, code: u32) -> u32 {
-        let (nodes, leaves) = (number(self.nodes.len()), number(self.leaves.len()));
-        let moved = |code: u32| match Child::of(code) {
-            Child::Nothing => code,
-            Child::Leaf(_) => code + leaves,
-            Child::Node(_) => code + nodes,
-        };
-        self.nodes.extend(part.nodes.into_iter().map(|children| children.map(moved)));
-        self.leaves.extend(part.leaves);
-        moved(code)
-    }
 }
 
-fn separately(mut ranges: Vec<Range<'_>>, depth: u32, fork: &impl Fork) -> Vec<(Topology, u32)> {
-    if ranges.len() > 1 {
-        let second = ranges.split_off(ranges.len() / 2);
-        let (mut a, b) = fork.join(|| separately(ranges, depth, fork), || separately(second, depth, fork));
-        a.extend(b);
-        return a;
-    }
-    let grown = ranges.into_iter().map(|range| {
-        let mut part = Topology::default();
-        let code = part.grow(range, depth, fork);
-        (part, code)
-    });
-    grown.collect()
-}
-
-/// Splits many items into `count` ranges, a power of two, halves at the same time.
-fn halves<'a>(range: Range<'a>, count: usize, depth: u32, fork: &impl Fork) -> Vec<Range<'a>> {
-    if count == 1 || range.items.len() <= WIDTH {
-        return vec![range];
-    }
-    let (low, high) = if depth < DEEP { split(range) } else { range.halved() };
-    let (mut low, high) =
-        fork.join(|| halves(low, count / 2, depth, fork), || halves(high, count / 2, depth, fork));
-    low.extend(high);
-    low
-}
-
-/// Splits few items into up to eight ranges, always the one of the largest surface next.
-fn largest_first(range: Range<'_>, depth: u32) -> Vec<Range<'_>> {
-    let mut ranges = Vec::with_capacity(WIDTH);
-    ranges.push(range);
-    while ranges.len() < WIDTH {
-        let candidates = ranges.iter().enumerate().filter(|(_, range)| range.items.len() > WIDTH);
-        let Some((index, _)) = candidates.max_by(|(_, a), (_, b)| a.area().total_cmp(&b.area())) else {
-            break;
-        };
-        let range = ranges.swap_remove(index);
-        let (low, high) = if depth < DEEP { split(range) } else { range.halved() };
-        ranges.push(low);
-        ranges.push(high);
-    }
-    ranges
-}
-
-/// Nodes and leaves are fewer than rows, of which there are far fewer than 2^30.
-fn number(count: usize) -> u32 {
+/// Nodes, leaves and parts of items are at most twice as many as rows, of which there are far fewer than 2^30.
+pub(super) fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(Child::LEAF - 1)
 }

@@ -6,6 +6,7 @@
 
 mod beam;
 mod build;
+mod collapse;
 mod fit;
 mod pack;
 mod prefetch;
@@ -28,7 +29,7 @@ pub use pack::Packed;
 pub(super) use ray::{RayNumbers, TreeRay};
 pub(super) use searches::{Any, NO_ROW, Nearest};
 pub(super) use stack::Stack;
-pub(super) use traverse::{BeamSearch, TreeSearch, Walk};
+pub(super) use traverse::{BeamSearch, TreeSearch, Walk, Walks};
 
 /// Children of a node, and rows of a leaf.
 pub(super) const WIDTH: usize = 8;

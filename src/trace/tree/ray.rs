@@ -129,8 +129,9 @@ impl<T: Real> TreeRay<T> {
     /// place. The slack is eight, on the far side.
     #[inline(always)]
     pub(super) fn enter(&self, node: &Node<T>, limit: T, found: &mut Eight<T>) {
-        let [near_x, near_y, near_z] = self.near.map(|column| &node.bounds[column]);
-        let [far_x, far_y, far_z] = self.far.map(|column| &node.bounds[column]);
+        let (bounds, near, far) = (&node.bounds, self.near, self.far);
+        let (near_x, near_y, near_z) = (&bounds[near[0]], &bounds[near[1]], &bounds[near[2]]);
+        let (far_x, far_y, far_z) = (&bounds[far[0]], &bounds[far[1]], &bounds[far[2]]);
         let inverse = self.inverse;
         let far_inverse = inverse * slack();
         for slot in 0..WIDTH {

@@ -6,8 +6,9 @@ use super::WIDTH;
 use super::fit::Node;
 use super::ray::{Eight, Slots};
 
-/// Seven children a level and one more: no tree has as many levels as this asks, see `DEEP` in `build.rs`.
-const STACK_SIZE: usize = 256;
+/// Seven children a level and one more: no tree has as many levels as this asks. Each takes one of the splits of its rows at
+/// least, of which there are at most `DEEP` in `collapse.rs`, and then one for each time that 2^30 rows can be halved.
+const STACK_SIZE: usize = 512;
 
 /// A child and where the ray enters it, in one number that is the less the nearer it is.
 ///
@@ -22,6 +23,13 @@ impl Entry {
         Self(u64::from(distance) << 32 | u64::from(code))
     }
 
+    /// The first of the children that are left, of at least one.
+    #[inline(always)]
+    fn take<T: Real>(node: &Node<T>, found: &Eight<T>, left: &mut Slots) -> Self {
+        let slot = left.take();
+        Self::new(found.distances[slot], node.children[slot % WIDTH])
+    }
+
     /// The code of the child.
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "it is the lower half")]
@@ -32,19 +40,18 @@ impl Entry {
 
 /// Children, the nearest last.
 #[derive(Clone, Debug)]
-pub(in crate::trace) struct Stack<T> {
+pub(in crate::trace) struct Stack {
     entries: [Entry; STACK_SIZE],
-    pub(super) found: Eight<T>,
 }
 
-impl<T: Real> Stack<T> {
+impl Stack {
     pub(in crate::trace) fn new() -> Self {
-        Self { entries: [Entry(0); STACK_SIZE], found: Eight::NONE }
+        Self { entries: [Entry(0); STACK_SIZE] }
     }
 
     /// Takes the last child that is entered at up to `limit` off a stack of this height.
     #[inline(always)]
-    pub(super) fn pop(&self, height: &mut usize, limit: T) -> Option<u32> {
+    pub(super) fn pop<T: Real>(&self, height: &mut usize, limit: T) -> Option<u32> {
         let last = Entry::new(limit, u32::MAX);
         while *height > 0 {
             *height -= 1;
@@ -59,16 +66,16 @@ impl<T: Real> Stack<T> {
     /// Puts the children just found, of which there is one, onto a stack of this height, but for the nearest, which is
     /// returned. The nearest of them comes last if `SORTED`.
     #[inline(always)]
-    pub(super) fn push<const SORTED: bool>(
+    pub(super) fn push<T: Real, const SORTED: bool>(
         &mut self,
         node: &Node<T>,
-        found: Slots,
+        found: &Eight<T>,
         height: &mut usize,
     ) -> u32 {
-        let (mut found, base) = (found, *height);
-        let mut nearest = self.entry(node, &mut found);
-        while !found.is_empty() {
-            let other = self.entry(node, &mut found);
+        let (mut left, base) = (found.counted(), *height);
+        let mut nearest = Entry::take(node, found, &mut left);
+        while !left.is_empty() {
+            let other = Entry::take(node, found, &mut left);
             let farther = nearest.max(other);
             nearest = nearest.min(other);
             let mut place = *height;
@@ -80,11 +87,5 @@ impl<T: Real> Stack<T> {
             *height += 1;
         }
         nearest.code()
-    }
-
-    #[inline(always)]
-    fn entry(&self, node: &Node<T>, found: &mut Slots) -> Entry {
-        let slot = found.take();
-        Entry::new(self.found.distances[slot], node.children[slot % WIDTH])
     }
 }

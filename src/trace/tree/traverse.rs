@@ -5,12 +5,12 @@ use crate::trace::hit::FaceCode;
 
 use super::beam::Beam;
 use super::prefetch::prefetch;
-use super::ray::{TreeRay, slack};
+use super::ray::{Eight, TreeRay, slack};
 use super::stack::Stack;
 use super::{Child, Leaf, NO_ROW, Packed, Tree, WIDTH};
 
 /// What a ray looks for in a tree.
-pub(in crate::trace) trait TreeSearch<T: Real> {
+pub(in crate::trace) trait TreeSearch<T: Real>: Copy {
     /// How far it still looks.
     fn reach(&self) -> T;
 
@@ -34,6 +34,15 @@ pub(in crate::trace) trait BeamSearch<T: Real, S> {
 
     /// Told of a shape that they may meet, and its row.
     fn meet(&mut self, shape: &S, row: u32);
+}
+
+/// Rays that go down a tree by themselves, and what becomes of them.
+pub(in crate::trace) trait Walks<T, Q> {
+    /// The lane of the next one, and itself, if there is one left.
+    fn start(&mut self) -> Option<(usize, Walk<T, Q>)>;
+
+    /// Told what that of a lane has found.
+    fn finish(&mut self, lane: usize, search: &Q);
 }
 
 /// A ray on its way down a tree.
@@ -92,32 +101,59 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
     pub(in crate::trace) fn search<const SORTED: bool, Q: TreeSearch<T>>(
         &self,
         walk: &mut Walk<T, Q>,
-        stack: &mut Stack<T>,
+        stack: &mut Stack,
     ) {
-        let mut place = walk.place;
-        while self.step::<SORTED, Q>(&walk.ray, walk.departed, &mut walk.search, &mut place, stack) {}
+        let (mut place, mut found) = (walk.place, Eight::NONE);
+        let Walk { ray, departed, search, .. } = walk;
+        while self.step::<SORTED, Q>(ray, *departed, search, &mut place, stack, &mut found) {}
     }
 
-    /// The same for several rays, those whose bits are set, that take turns step by step: each step waits for memory, and
-    /// several can wait at the same time.
+    /// The same for several rays: one after the other, or in turns where that is faster.
     #[inline(always)]
-    pub(in crate::trace) fn search_in_turns<const SORTED: bool, Q: TreeSearch<T>>(
+    pub(in crate::trace) fn search_all<const SORTED: bool, Q: TreeSearch<T>, const GROUP: usize>(
         &self,
-        walks: &mut [Walk<T, Q>],
-        active: u32,
-        stacks: &mut [Stack<T>],
+        rays: &mut impl Walks<T, Q>,
+        stacks: &mut [Stack; GROUP],
     ) {
-        let mut active = active;
+        if self.is_large() {
+            return self.search_in_turns::<SORTED, Q, GROUP>(rays, stacks);
+        }
+        while let Some((lane, mut walk)) = rays.start() {
+            self.search::<SORTED, Q>(&mut walk, &mut stacks[0]);
+            rays.finish(lane, &walk.search);
+        }
+    }
+
+    /// In a large tree a step waits for memory, and several can wait at the same time: as many rays as there are stacks
+    /// take turns step by step, and where one is done the next one starts.
+    #[inline(always)]
+    fn search_in_turns<const SORTED: bool, Q: TreeSearch<T>, const GROUP: usize>(
+        &self,
+        rays: &mut impl Walks<T, Q>,
+        stacks: &mut [Stack; GROUP],
+    ) {
+        let Some(first) = rays.start() else { return };
+        let mut walks = [first; GROUP];
+        let (mut active, mut found) = (1_u32, Eight::NONE);
+        for place in &mut walks[1..] {
+            let Some(walk) = rays.start() else { break };
+            *place = walk;
+            active = active << 1 | 1;
+        }
         while active != 0 {
             let mut left = active;
             while left != 0 {
-                let number = left.trailing_zeros() as usize;
+                let slot = left.trailing_zeros() as usize % GROUP;
                 left &= left - 1;
-                let Walk { ray, departed, search, place } = &mut walks[number];
-                if self.step::<SORTED, Q>(ray, *departed, search, place, &mut stacks[number]) {
+                let (lane, Walk { ray, departed, search, place }) = &mut walks[slot];
+                if self.step::<SORTED, Q>(ray, *departed, search, place, &mut stacks[slot], &mut found) {
                     self.prefetch(place.code);
-                } else {
-                    active &= !(1 << number);
+                    continue;
+                }
+                rays.finish(*lane, search);
+                match rays.start() {
+                    Some(walk) => walks[slot] = walk,
+                    None => active &= !(1 << slot),
                 }
             }
         }
@@ -135,27 +171,27 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
     pub(in crate::trace) fn search_beam<const SORTED: bool>(
         &self,
         beam: &Beam<T>,
-        stack: &mut Stack<T>,
+        stack: &mut Stack,
         search: &mut impl BeamSearch<T, S>,
     ) {
         let mut place = Place { code: 0, height: 0, limit: search.reach() * slack() };
+        let mut found = Eight::NONE;
         loop {
             if place.code & Child::LEAF == 0 {
                 let node = &self.nodes[place.code as usize];
-                beam.enter(node, place.limit, &mut stack.found);
-                let found = stack.found.counted();
-                if !found.is_empty() {
-                    place.code = stack.push::<SORTED>(node, found, &mut place.height);
+                beam.enter(node, place.limit, &mut found);
+                if !found.counted().is_empty() {
+                    place.code = stack.push::<T, SORTED>(node, &found, &mut place.height);
                     continue;
                 }
             } else {
                 let leaf = &self.leaves[(place.code & !Child::LEAF) as usize];
                 for slot in 0..WIDTH {
-                    stack.found.flags[slot] = u8::from(search.may_meet(&S::unpack(&leaf.block, slot)));
+                    found.flags[slot] = u8::from(search.may_meet(&S::unpack(&leaf.block, slot)));
                 }
-                let (mut found, mut last) = (stack.found.counted(), NO_ROW);
-                while !found.is_empty() {
-                    let slot = found.take();
+                let (mut met, mut last) = (found.counted(), NO_ROW);
+                while !met.is_empty() {
+                    let slot = met.take();
                     if leaf.rows[slot] == last {
                         continue;
                     }
@@ -181,18 +217,18 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         departed: u32,
         search: &mut Q,
         place: &mut Place<T>,
-        stack: &mut Stack<T>,
+        stack: &mut Stack,
+        found: &mut Eight<T>,
     ) -> bool {
         if place.code & Child::LEAF == 0 {
             let node = &self.nodes[place.code as usize];
-            ray.enter(node, place.limit, &mut stack.found);
-            let found = stack.found.counted();
-            if !found.is_empty() {
-                place.code = stack.push::<SORTED>(node, found, &mut place.height);
+            ray.enter(node, place.limit, found);
+            if !found.counted().is_empty() {
+                place.code = stack.push::<T, SORTED>(node, found, &mut place.height);
                 return true;
             }
         } else {
-            self.test(&self.leaves[(place.code & !Child::LEAF) as usize], ray, departed, search, stack);
+            self.test(&self.leaves[(place.code & !Child::LEAF) as usize], ray, departed, search, found);
             if search.is_done() {
                 return false;
             }
@@ -219,7 +255,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         ray: &TreeRay<T>,
         departed: u32,
         search: &mut impl TreeSearch<T>,
-        stack: &mut Stack<T>,
+        found: &mut Eight<T>,
     ) {
         let reach = search.reach();
         // A ray that leaves one of the shapes comes near it, of course.
@@ -232,7 +268,6 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         if !worthwhile {
             return;
         }
-        let found = &mut stack.found;
         let mut unsure = 0_u32;
         for slot in 0..WIDTH {
             let meeting = S::unpack(&leaf.block, slot).meet(&ray.ray);
@@ -271,5 +306,6 @@ fn settle<T: Real, S: Packed<T>>(
     }
 }
 
-/// Bytes of nodes and leaves. With less, rays one after the other were measured to be faster, whatever they have in common.
-const LARGE: usize = 8 << 20;
+/// Bytes of nodes and leaves: what a second-level cache holds. With less, rays one after the other were measured to be as
+/// fast or faster, whatever they have in common.
+const LARGE: usize = 1 << 20;
