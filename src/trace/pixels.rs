@@ -31,12 +31,13 @@ impl PixelLanes {
 
     #[inline(always)]
     fn rows_of<const WIDTH: u32>(left: u32, top: u32, height: u32) -> Self {
-        let places = const { places(WIDTH) };
-        Self {
-            columns: places.map(|[column, _]| left + column),
-            rows: places.map(|[_, row]| top + row),
-            count: (WIDTH * height) as usize,
+        let (columns, rows) = const { places(WIDTH) };
+        let mut pixels = Self { columns, rows, count: (WIDTH * height) as usize };
+        for lane in 0..LANES {
+            pixels.columns[lane] += left;
+            pixels.rows[lane] += top;
         }
+        pixels
     }
 
     /// One more pixel; there must be room.
@@ -48,15 +49,16 @@ impl PixelLanes {
     }
 }
 
-/// Column and row of every lane in rows of this width.
-const fn places(width: u32) -> [[u32; 2]; LANES] {
-    let mut places = [[0; 2]; LANES];
+/// Columns and rows of all lanes in rows of this width.
+const fn places(width: u32) -> ([u32; LANES], [u32; LANES]) {
+    let (mut columns, mut rows) = ([0; LANES], [0; LANES]);
     let mut lane = 0;
     while (lane as usize) < LANES {
-        places[lane as usize] = [lane % width, lane / width];
+        columns[lane as usize] = lane % width;
+        rows[lane as usize] = lane / width;
         lane += 1;
     }
-    places
+    (columns, rows)
 }
 
 /// Samples of the pixels of a packet.

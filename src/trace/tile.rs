@@ -135,12 +135,14 @@ impl<T: Real> PacketTask<'_, T> {
             point: grid.point(self.pass),
             wants_trails: self.wants_trails,
         };
+        let mut samples = SampleLanes::black();
         loop {
             let pixels = queue.next();
             if pixels.count == 0 {
                 return counts;
             }
-            queue.put(&block.trace::<EFFECTS>(&pixels, scratch, &mut counts));
+            block.trace::<EFFECTS>(&pixels, &mut samples, scratch, &mut counts);
+            queue.put(&samples);
         }
     }
 

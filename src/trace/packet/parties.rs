@@ -3,6 +3,7 @@
 use core::hint::black_box;
 
 use crate::geometry::Real;
+use crate::trace::ObjectId;
 use crate::trace::tree::{Beam, Packed, Tree};
 
 use super::beam::beam_of;
@@ -72,7 +73,12 @@ impl<'a, T: Real, S: Packed<T>> Parties<'a, T, S> {
             }
         }
         while self.failures < FAILURES && mask(|lane| self.left[lane] >= T::ZERO) != 0 {
-            let reach = self.company();
+            let seed = central_lane(&self.left);
+            // Rays that do not come from an object have nothing else in common, either: to look cost random ones 4 %.
+            if self.rays.start.departed[seed] == ObjectId::NOBODY {
+                break;
+            }
+            let reach = self.company(seed);
             for lane in 0..LANES {
                 self.left[lane] = if reach[lane] >= T::ZERO { nowhere() } else { self.left[lane] };
             }
@@ -98,8 +104,7 @@ impl<'a, T: Real, S: Packed<T>> Parties<'a, T, S> {
     /// The reach of a ray and of those that start close to it and go its way, the same way along every axis; the others are
     /// idle.
     #[inline(always)]
-    fn company(&self) -> Reach<T> {
-        let seed = central_lane(&self.left);
+    fn company(&self, seed: usize) -> Reach<T> {
         let (starts, directions) = (&self.rays.start.point, self.rays.direction);
         let (point, direction) = (starts.get(seed), directions.get(seed));
         let near = self.tree.leaf_size() / T::TWO;
@@ -140,7 +145,7 @@ mod tests {
     use super::super::lanes::StartLanes;
     use super::*;
     use crate::geometry::{SphereShape, Vector};
-    use crate::trace::{Sequential, ShapeColumns, SphereColumns};
+    use crate::trace::{Kind, Sequential, ShapeColumns, SphereColumns};
 
     /// A hundred and twenty-five spheres, so that leaves are much smaller than all of them.
     fn spheres() -> Tree<f64, SphereShape<f64>> {
@@ -153,13 +158,14 @@ mod tests {
         Tree::build(&spheres, &Sequential).unwrap()
     }
 
-    /// Rays from `start` that all but go along x, and the reach of the lanes with a bit.
+    /// Rays from `start`, on an object, that all but go along x, and the reach of the lanes with a bit.
     fn packet(
         start: impl Fn(usize) -> Vector<f64>,
         lanes: u32,
     ) -> (StartLanes<f64>, VectorLanes<f64>, Reach<f64>) {
-        let (mut starts, mut directions, mut reach) =
-            (StartLanes::free(), VectorLanes::zero(), [nowhere(); LANES]);
+        let departed = [ObjectId::packed(Kind::Sphere, 0); LANES];
+        let mut starts = StartLanes { departed, ..StartLanes::free() };
+        let (mut directions, mut reach) = (VectorLanes::zero(), [nowhere(); LANES]);
         for (lane, slope) in (0..LANES).zip(1_u32..) {
             starts.point.set(lane, start(lane));
             directions.set(lane, Vector::new(3.0, f64::from(slope) / 8192.0, 1.0 / 8192.0));
@@ -218,5 +224,15 @@ mod tests {
         let place = |lane| f64::from(u32::try_from(lane).unwrap()) * 100.0;
         let (start, direction, reach) = packet(|lane| Vector::new(0.0, place(lane), 0.0), ACTIVE);
         assert_eq!(parted(&start, &direction, &reach), (vec![], ACTIVE));
+    }
+    #[test]
+    fn rays_from_open_space_go_together_as_a_whole_or_not_at_all() {
+        let place = |lane| if lane % 3 == 0 { -10.0 } else { 150.0 };
+        let (mut start, direction, reach) = packet(|lane| Vector::new(place(lane), 20.0, 30.0), ACTIVE);
+        start.departed = [ObjectId::NOBODY; LANES];
+        assert_eq!(parted(&start, &direction, &reach), (vec![], ACTIVE));
+        let (mut start, direction, reach) = packet(|_| Vector::new(-10.0, 20.0, 30.0), ACTIVE);
+        start.departed = [ObjectId::NOBODY; LANES];
+        assert_eq!(parted(&start, &direction, &reach), (vec![ACTIVE], 0));
     }
 }

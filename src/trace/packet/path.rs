@@ -20,8 +20,6 @@ pub(super) struct Paths<'a, T: Real> {
     pub(super) level: u32,
     /// Share of the light up to which no ray is followed.
     pub(super) cutoff: T,
-    /// Whether anybody asks what the samples met.
-    pub(super) wants_trails: bool,
 }
 
 /// Rays that a packet sends out.
@@ -33,15 +31,15 @@ pub(super) struct Departing<T> {
 }
 
 impl<T: Real> Paths<'_, T> {
-    /// [`radiance`](crate::trace::radiance()) of every active lane.
+    /// [`radiance`](crate::trace::radiance()) of every active lane. What they meet is noted in the trails, if there are any.
     #[inline(always)]
     pub(super) fn radiance<const EFFECTS: u32>(
         &self,
         departing: &mut Departing<T>,
+        mut trails: Option<&mut [Trail; LANES]>,
         scratch: &mut Scratch,
         counts: &mut Counts,
-    ) -> (VectorLanes<T>, [Trail; LANES]) {
-        let mut trails = [Trail::default(); LANES];
+    ) -> VectorLanes<T> {
         let mut sum = VectorLanes::zero();
         // Of what the next surfaces send back; nothing yet is weaker than it is.
         let mut weight: Option<Lanes<T>> = None;
@@ -59,8 +57,8 @@ impl<T: Real> Paths<'_, T> {
                 break;
             }
             let surface = gather::<T, EFFECTS>(self.tables, &rays, &hits);
-            if self.wants_trails {
-                meet(&mut trails, &hits.name);
+            if let Some(trails) = &mut trails {
+                meet(trails, &hits.name);
             }
             // 2. Where the rays go on, for mirrors and for highlights.
             let goes_on = surface.any_mirror && remaining > 0;
@@ -80,8 +78,7 @@ impl<T: Real> Paths<'_, T> {
                 cluster: &cluster,
                 mirrored: direction,
             };
-            let trails = self.wants_trails.then_some(&mut trails);
-            let light = lighting.gather::<EFFECTS>(&mut shadow_rays, scratch, trails);
+            let light = lighting.gather::<EFFECTS>(&mut shadow_rays, scratch, trails.as_deref_mut());
             add::<T, EFFECTS>(&mut sum, &surface, &light, weight.as_ref());
             if !(has::<EFFECTS>(Effect::Mirror) && goes_on) {
                 break;
@@ -96,7 +93,7 @@ impl<T: Real> Paths<'_, T> {
             *start = surface.start;
         }
         counts.rays.shadow += shadow_rays.sum();
-        (sum, trails)
+        sum
     }
 }
 

@@ -157,7 +157,7 @@ fn cheapest([low, high]: &[[f32; WIDTH]; 2], most: usize) -> (f32, u8) {
 mod tests {
     use super::super::build::Sequential;
     use super::*;
-    use crate::geometry::Vector;
+    use crate::geometry::{Real, Vector};
 
     /// Small boxes strewn over a cube, always the same ones.
     fn items(count: u32) -> Vec<Item> {
@@ -230,7 +230,7 @@ mod tests {
             let mut rows = Vec::new();
             let sum = chosen(&halving, halving.whole(), &items, &mut rows);
             let best = least(&halving);
-            assert!((sum - best).abs() <= best * 16.0 * f32::EPSILON, "{count} rows: {sum}, not {best}");
+            assert!((sum - best).abs() <= best * 16.0 * f32::ULP, "{count} rows: {sum}, not {best}");
             rows.sort_unstable();
             assert!(rows.iter().copied().eq(0..count), "{count} rows: {rows:?}");
         }
