@@ -2,8 +2,8 @@
 # Whether the kernels of a release program are still made of vector instructions, as the compiler makes them of loops over
 # lanes: nothing else notices when it stops. Prints for each kernel how much of its arithmetic is packed. Fails where that is
 # less than the shares below, and where code of packets or trees was left out of the kernels: that is compiled for the
-# instructions that every processor has (closures are, where there are many copies of their caller: one in the test of boxes
-# made random rays take 1.6 times as long).
+# instructions that every processor has (closures are, where there are many copies of their caller: in a build without
+# link-time optimisation one in the test of boxes made random rays take 1.6 times as long).
 #
 # Usage: benches/vectors.sh [PROGRAM]
 # PROGRAM is target/release/archetrace, built here, unless given. Needs objdump, and a processor family that has AVX2.

@@ -74,7 +74,7 @@ impl<'a, T: Real, S: Packed<T>> Parties<'a, T, S> {
         }
         while self.failures < FAILURES && mask(|lane| self.left[lane] >= T::ZERO) != 0 {
             let seed = central_lane(&self.left);
-            // Rays that do not come from an object have nothing else in common, either: to look cost random ones 4 %.
+            // Rays that do not come from an object have seldom anything else in common.
             if self.rays.start.departed[seed] == ObjectId::NOBODY {
                 break;
             }
