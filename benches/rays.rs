@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! cargo bench --bench rays -- SCENE [--eye X,Y,Z] [--look X,Y,Z] [--size N] [--precision f32] [--threads N] [--repeats N]
+//!     [--class CLASS]
 //! ```
 //!
 //! One line of JSON a class. `primary`: from the camera, 4 x 4 pixels after each other. `shadow`: from what they meet to
@@ -43,6 +44,9 @@ struct Args {
     /// Passes over all rays of a class that are measured, after one that is not
     #[arg(long, default_value = "5")]
     repeats: usize,
+    /// One class only: primary, shadow, mirror or random
+    #[arg(long)]
+    class: Option<String>,
 }
 
 /// What a class gave.
@@ -77,6 +81,7 @@ fn measure<T: Real>(args: &Args) -> Result<(), Box<dyn Error>> {
         pool: pool(args.view.threads)?,
         simd: args.view.simd()?,
         repeats: args.repeats,
+        class: args.class.clone(),
     };
     bench.closest("primary", &rays.primary)?;
     bench.occlusion("shadow", &rays.shadow)?;
@@ -94,13 +99,21 @@ struct Bench<T: Real> {
     pool: ThreadPool,
     simd: Simd,
     repeats: usize,
+    class: Option<String>,
 }
 
 /// Rays that a thread takes at a time.
 const CHUNK: usize = 4096;
 
 impl<T: Real> Bench<T> {
+    fn asks_for(&self, class: &str) -> bool {
+        self.class.as_ref().is_none_or(|only| only == class)
+    }
+
     fn closest(&self, class: &'static str, queries: &[Query<T>]) -> Result<(), Box<dyn Error>> {
+        if !self.asks_for(class) {
+            return Ok(());
+        }
         let mut hits = vec![None; queries.len()];
         let mrays = self.time(queries.len(), || {
             let chunks = queries.par_chunks(CHUNK).zip(hits.par_chunks_mut(CHUNK));
@@ -110,6 +123,9 @@ impl<T: Real> Bench<T> {
     }
 
     fn occlusion(&self, class: &'static str, queries: &[Query<T>]) -> Result<(), Box<dyn Error>> {
+        if !self.asks_for(class) {
+            return Ok(());
+        }
         let mut occluded = vec![false; queries.len()];
         let mrays = self.time(queries.len(), || {
             let chunks = queries.par_chunks(CHUNK).zip(occluded.par_chunks_mut(CHUNK));

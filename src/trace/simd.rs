@@ -66,7 +66,7 @@ impl Simd {
         kernel: Kernel,
         task: &'a PacketTask<'a, T>,
         queue: &'a mut dyn PixelQueue,
-        scratch: &'a mut Scratch,
+        scratch: &'a mut Scratch<T>,
     ) -> Counts {
         T::by_precision::<TracePixels<'a>>(Input { level: self.0, kernel, task, queue, scratch })
     }
@@ -80,7 +80,7 @@ struct Input<'a, T: Real> {
     kernel: Kernel,
     task: &'a PacketTask<'a, T>,
     queue: &'a mut dyn PixelQueue,
-    scratch: &'a mut Scratch,
+    scratch: &'a mut Scratch<T>,
 }
 
 impl<'a> ByPrecision for TracePixels<'a> {
@@ -130,7 +130,8 @@ pub(super) trait Vectorised {
 }
 
 impl Simd {
-    /// Does some work with these instructions.
+    /// Does some work with these instructions, in code of its own: where kernels share work, none is larger for it.
+    #[inline(always)]
     pub(super) fn run<W: Vectorised>(self, work: W) -> W::Output {
         match self.0 {
             // SAFETY: the level is made by `available` alone, where the processor has these instructions.
@@ -139,18 +140,25 @@ impl Simd {
             // SAFETY: as above.
             #[cfg(target_arch = "x86_64")]
             Level::Avx512 if HAS_WIDER => unsafe { run_avx512(work) },
-            _ => work.run(),
+            _ => run_baseline(work),
         }
     }
 }
 
+#[inline(never)]
+fn run_baseline<W: Vectorised>(work: W) -> W::Output {
+    work.run()
+}
+
 #[cfg(target_arch = "x86_64")]
+#[inline(never)]
 #[target_feature(enable = "avx2")]
 fn run_avx2<W: Vectorised>(work: W) -> W::Output {
     work.run()
 }
 
 #[cfg(target_arch = "x86_64")]
+#[inline(never)]
 #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
 fn run_avx512<W: Vectorised>(work: W) -> W::Output {
     work.run()
@@ -164,6 +172,7 @@ fn has_avx512() -> bool {
         && is_x86_feature_detected!("avx512dq")
 }
 
+#[inline(never)]
 fn trace_baseline<T: Real, const EFFECTS: u32>(input: Input<'_, T>) -> Counts {
     input.task.trace_packets::<EFFECTS>(input.queue, input.scratch)
 }

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Ray, Real};
 
-use super::packet::{closest_hits, occlusions};
+use super::packet::{TreeScratch, closest_hits, occlusions};
 use super::simd::Vectorised;
 use super::{Departure, Hit, SceneTables, Simd};
 
@@ -25,16 +25,17 @@ impl Simd {
         queries: &[Query<T>],
         hits: &mut [Option<Hit<T>>],
     ) {
-        self.run(ClosestHits { tables, queries, hits });
+        self.run(ClosestHits { simd: self, tables, queries, hits });
     }
 
     /// [`is_occluded`](super::is_occluded) for each ray, in order.
     pub fn occlusions<T: Real>(self, tables: &SceneTables<T>, queries: &[Query<T>], occluded: &mut [bool]) {
-        self.run(Occlusions { tables, queries, occluded });
+        self.run(Occlusions { simd: self, tables, queries, occluded });
     }
 }
 
 struct ClosestHits<'a, T: Real> {
+    simd: Simd,
     tables: &'a SceneTables<T>,
     queries: &'a [Query<T>],
     hits: &'a mut [Option<Hit<T>>],
@@ -45,11 +46,12 @@ impl<T: Real> Vectorised for ClosestHits<'_, T> {
 
     #[inline(always)]
     fn run(self) {
-        closest_hits(self.tables, self.queries, self.hits);
+        closest_hits(self.tables, self.queries, self.hits, &mut TreeScratch::new(self.simd));
     }
 }
 
 struct Occlusions<'a, T: Real> {
+    simd: Simd,
     tables: &'a SceneTables<T>,
     queries: &'a [Query<T>],
     occluded: &'a mut [bool],
@@ -60,6 +62,6 @@ impl<T: Real> Vectorised for Occlusions<'_, T> {
 
     #[inline(always)]
     fn run(self) {
-        occlusions(self.tables, self.queries, self.occluded);
+        occlusions(self.tables, self.queries, self.occluded, &mut TreeScratch::new(self.simd));
     }
 }

@@ -46,6 +46,14 @@ pub struct Trees<T: Real> {
     pub pyramids: Option<Arc<Tree<T, PyramidShape<T>>>>,
 }
 
+impl<T: Real> Trees<T> {
+    /// Whether there is none.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.spheres.is_none() && self.cubes.is_none() && self.pyramids.is_none()
+    }
+}
+
 impl<T: Real> SceneTables<T> {
     /// Whether a table is large enough for a tree and has none.
     pub fn lacks_trees(&self) -> bool {

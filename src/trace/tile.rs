@@ -54,7 +54,7 @@ impl<'a, T: Real> Exposure<'a, T> {
     ) -> Counts {
         self.with_task(pass, false, |task| {
             let mut counts = Counts::default();
-            let mut scratch = Scratch::new();
+            let mut scratch = Scratch::new(simd);
             let (side, height) = (band.side(), band.height());
             let tiles = (0..side).step_by(height.max(1) as usize);
             let strips =
@@ -78,7 +78,7 @@ impl<'a, T: Real> Exposure<'a, T> {
         take: impl FnMut(usize, [f64; 3], Trail),
     ) -> Counts {
         let mut listed = Listed { pixels, taken: 0, given: 0, take };
-        self.with_task(pass, true, |task| simd.trace(self.kernel, task, &mut listed, &mut Scratch::new()))
+        self.with_task(pass, true, |task| simd.trace(self.kernel, task, &mut listed, &mut Scratch::new(simd)))
     }
 
     fn with_task<R>(&self, pass: u32, wants_trails: bool, work: impl FnOnce(&PacketTask<'_, T>) -> R) -> R {
@@ -117,7 +117,7 @@ impl<T: Real> PacketTask<'_, T> {
     pub(super) fn trace_packets<const EFFECTS: u32>(
         &self,
         queue: &mut dyn PixelQueue,
-        scratch: &mut Scratch,
+        scratch: &mut Scratch<T>,
     ) -> Counts {
         let mut counts = Counts::default();
         let &Exposure { tables, corner, depth, grid, .. } = self.exposure;
@@ -135,14 +135,13 @@ impl<T: Real> PacketTask<'_, T> {
             point: grid.point(self.pass),
             wants_trails: self.wants_trails,
         };
-        let mut samples = SampleLanes::black();
         loop {
             let pixels = queue.next();
             if pixels.count == 0 {
                 return counts;
             }
-            block.trace::<EFFECTS>(&pixels, &mut samples, scratch, &mut counts);
-            queue.put(&samples);
+            block.trace::<EFFECTS>(&pixels, scratch, &mut counts);
+            queue.put(&scratch.samples);
         }
     }
 

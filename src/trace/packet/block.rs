@@ -2,12 +2,14 @@
 
 use crate::geometry::{Real, Vector};
 use crate::trace::pixels::{PixelLanes, SampleLanes};
-use crate::trace::{CameraRays, Counts, SamplePoint, SceneTables, Trail};
+use crate::trace::{CameraRays, Counts, ObjectId, SamplePoint, SceneTables, Simd, Trail};
 
 use super::bounds::Bounds;
-use super::lanes::{LANES, StartLanes, VectorLanes, any, nowhere};
-use super::path::{Departing, Paths};
-use super::trees::Scratch;
+use super::lanes::{LANES, OUTWARD, VectorLanes, any, nowhere};
+use super::lights::WayLanes;
+use super::path::{Departing, Paths, Rooms};
+use super::surface::SurfaceLanes;
+use super::trees::TreeScratch;
 
 /// Columns and rows of a block of pixels that is traced as one packet.
 pub(in crate::trace) const BLOCK: [u32; 2] = [8, 4];
@@ -30,17 +32,40 @@ pub(in crate::trace) struct Block<'a, T: Real> {
     pub(in crate::trace) wants_trails: bool,
 }
 
+/// What packets need room for, kept from one to the next: zeros and copies of kilobytes for each packet were a tenth of the
+/// instructions of a scene of few objects.
+pub(in crate::trace) struct Scratch<T> {
+    departing: Departing<T>,
+    surface: SurfaceLanes<T>,
+    ways: WayLanes<T>,
+    trees: TreeScratch,
+    /// Those of the packet that was traced last.
+    pub(in crate::trace) samples: SampleLanes,
+}
+
+impl<T: Real> Scratch<T> {
+    /// For one packet after the other.
+    pub(in crate::trace) fn new(simd: Simd) -> Self {
+        Self {
+            departing: Departing::none(),
+            surface: SurfaceLanes::none(),
+            ways: WayLanes::none(),
+            trees: TreeScratch::new(simd),
+            samples: SampleLanes::black(),
+        }
+    }
+}
+
 impl<T: Real> Block<'_, T> {
     /// One sample of each of some pixels.
     #[inline(always)]
     pub(in crate::trace) fn trace<const EFFECTS: u32>(
         &self,
         pixels: &PixelLanes,
-        samples: &mut SampleLanes,
-        scratch: &mut Scratch,
+        Scratch { departing, surface, ways, trees, samples }: &mut Scratch<T>,
         counts: &mut Counts,
     ) {
-        let mut rays = self.rays(pixels);
+        self.send(pixels, departing);
         counts.rays.primary += pixels.count as u64;
         let &Self { tables, bounds, level, cutoff, .. } = self;
         let paths = Paths { tables, bounds, level, cutoff };
@@ -52,7 +77,7 @@ impl<T: Real> Block<'_, T> {
         } else {
             None
         };
-        let mut found = paths.radiance::<EFFECTS>(&mut rays, trails, scratch, counts);
+        let mut found = paths.radiance::<EFFECTS>(departing, Rooms { surface, ways, trees }, trails, counts);
         clamp(&mut found, counts);
         for lane in 0..LANES {
             colors[lane] = [found.x[lane].to_f64(), found.y[lane].to_f64(), found.z[lane].to_f64()];
@@ -60,9 +85,10 @@ impl<T: Real> Block<'_, T> {
     }
 
     #[inline(always)]
-    fn rays(&self, pixels: &PixelLanes) -> Departing<T> {
-        let (mut start, mut direction) = (StartLanes::free(), VectorLanes::zero());
-        let mut reach = [nowhere(); LANES];
+    fn send(&self, pixels: &PixelLanes, Departing { start, direction, reach }: &mut Departing<T>) {
+        start.departed = [ObjectId::NOBODY; LANES];
+        start.face = [OUTWARD; LANES];
+        start.any_inward = false;
         for lane in 0..LANES {
             let column = (self.corner[0] + pixels.columns[lane]) * self.step + self.point.column;
             let row = (self.corner[1] + pixels.rows[lane]) * self.step + self.point.row;
@@ -71,7 +97,6 @@ impl<T: Real> Block<'_, T> {
             direction.set(lane, ray.ray.direction);
             reach[lane] = if lane < pixels.count { ray.reach } else { nowhere() };
         }
-        Departing { start, direction, reach }
     }
 }
 

@@ -3,14 +3,12 @@
 use crate::geometry::{Convex, Crossing, Meeting, Ray, Real, Straight};
 use crate::trace::closest::comes_first;
 use crate::trace::hit::FaceCode;
-use crate::trace::{
-    CubeColumns, Kind, ObjectId, PyramidColumns, SceneTables, ShapeColumns, ShapeTable, SphereColumns,
-};
+use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
 
 use super::bounds::{Candidates, Rows};
 use super::bundle::Bundle;
 use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, Reach};
-use super::trees::{Scratch, search_tree};
+use super::trees::{TreeScratch, search_trees};
 
 /// What each ray met.
 #[derive(Clone, Copy, Debug)]
@@ -44,19 +42,18 @@ pub(super) fn closest<T: Real>(
     reach: &Reach<T>,
     bundle: &Bundle<T>,
     candidates: &Candidates,
-    scratch: &mut Scratch,
+    scratch: &mut TreeScratch,
 ) -> HitLanes<T> {
     let mut hits = HitLanes { t: *reach, name: [ObjectId::NOBODY; LANES], face: [0; LANES] };
     search(tables, &tables.spheres, candidates.of(Kind::Sphere), rays, &mut hits);
     search(tables, &tables.cubes, candidates.of(Kind::Cube), rays, &mut hits);
     search(tables, &tables.pyramids, candidates.of(Kind::Pyramid), rays, &mut hits);
     search(tables, &tables.boards, candidates.of(Kind::Board), rays, &mut hits);
-    let trees = &tables.trees;
-    search_tree::<T, SphereColumns<T>>(tables, trees.spheres.as_deref(), rays, bundle, &mut hits, scratch);
-    search_tree::<T, CubeColumns<T>>(tables, trees.cubes.as_deref(), rays, bundle, &mut hits, scratch);
-    search_tree::<T, PyramidColumns<T>>(tables, trees.pyramids.as_deref(), rays, bundle, &mut hits, scratch);
+    if !tables.trees.is_empty() {
+        hits = search_trees(tables, rays, bundle, hits, scratch);
+    }
     if rays.start.any_inward {
-        leave(tables, rays, &mut hits);
+        hits = leave(tables, rays, hits);
     }
     hits
 }
@@ -79,7 +76,8 @@ fn search<T: Real, C>(
         let name = ObjectId::packed(C::KIND, row);
         let mut worthwhile = false;
         for lane in 0..LANES {
-            worthwhile |= shape.may_meet(&rays.get(lane)) & (rays.start.departed[lane] != name);
+            let counts = (hits.t[lane] >= T::ZERO) & (rays.start.departed[lane] != name);
+            worthwhile |= counts & shape.may_meet(&rays.get(lane));
         }
         if worthwhile {
             test(tables, &shape, name, rays, hits);
@@ -100,7 +98,8 @@ pub(super) fn test<T: Real>(
         let met = shape.meet(&rays.get(lane));
         let t = met.t;
         let counts = rays.start.departed[lane] != name;
-        any_unsure |= counts & met.unsure;
+        // Idle lanes hold anything.
+        any_unsure |= counts & met.unsure & (hits.t[lane] >= T::ZERO);
         let nearer = counts & (t < hits.t[lane]);
         any_tie |= counts & (t == hits.t[lane]);
         hits.t[lane] = if nearer { t } else { hits.t[lane] };
@@ -108,14 +107,17 @@ pub(super) fn test<T: Real>(
         hits.face[lane] = if nearer { FaceCode::of(&met) } else { hits.face[lane] };
     }
     if any_tie {
-        settle_ties(tables, shape, name, rays, hits);
+        *hits = settle_ties(tables, shape, name, rays, *hits);
     }
     if any_unsure {
-        settle_unsure(tables, shape, name, rays, hits);
+        *hits = settle_unsure(tables, shape, name, rays, *hits);
     }
 }
 
 /// Gives a shape those lanes in which it is as near as another one and comes first.
+///
+/// Hits are taken and given back by value, as in all that is not inlined: where their address is known elsewhere, compilers
+/// must expect that what a loop over lanes reads is what it writes, and made one of single numbers in f64.
 #[cold]
 #[inline(never)]
 fn settle_ties<T: Real>(
@@ -123,8 +125,8 @@ fn settle_ties<T: Real>(
     shape: &impl Straight<T>,
     name: u32,
     rays: &RayLanes<'_, T>,
-    hits: &mut HitLanes<T>,
-) {
+    mut hits: HitLanes<T>,
+) -> HitLanes<T> {
     for lane in 0..LANES {
         let met = shape.meet(&rays.get(lane));
         let is_tie = rays.start.departed[lane] != name && met.t == hits.t[lane];
@@ -133,6 +135,7 @@ fn settle_ties<T: Real>(
             hits.face[lane] = FaceCode::of(&met);
         }
     }
+    hits
 }
 
 /// Gives a shape those lanes in which rounding cannot tell whether it is met, if it is, and nearer or first.
@@ -143,23 +146,26 @@ fn settle_unsure<T: Real>(
     shape: &impl Straight<T>,
     name: u32,
     rays: &RayLanes<'_, T>,
-    hits: &mut HitLanes<T>,
-) {
+    mut hits: HitLanes<T>,
+) -> HitLanes<T> {
     for lane in 0..LANES {
         let ray = rays.get(lane);
-        if rays.start.departed[lane] != name && shape.meet(&ray).unsure {
+        let counts = rays.start.departed[lane] != name && hits.t[lane] >= T::ZERO;
+        if counts && shape.meet(&ray).unsure {
             hits.take(tables, lane, name, shape.intersect(&ray));
         }
     }
+    hits
 }
 
 /// Rays that started into an object leave it.
 #[cold]
 #[inline(never)]
-fn leave<T: Real>(tables: &SceneTables<T>, rays: &RayLanes<T>, hits: &mut HitLanes<T>) {
+fn leave<T: Real>(tables: &SceneTables<T>, rays: &RayLanes<T>, mut hits: HitLanes<T>) -> HitLanes<T> {
     for lane in 0..LANES {
         hits.take(tables, lane, rays.start.departed[lane], exit_of(tables, rays, lane));
     }
+    hits
 }
 
 /// Where the ray of a lane leaves the object that it started into, if it did.

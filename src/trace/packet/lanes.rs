@@ -48,25 +48,20 @@ impl<T: Real> VectorLanes<T> {
 
     /// [`Vector::unit`] of every lane.
     #[inline(always)]
-    pub(super) fn unit(&self) -> Self {
-        let mut unit = Self::zero();
-        let mut any_short = false;
+    pub(super) fn normalize(&mut self) {
+        if any(|lane| !self.get(lane).is_long()) {
+            return self.normalize_short();
+        }
         for lane in 0..LANES {
-            let v = self.get(lane);
-            any_short |= !v.is_long();
-            unit.set(lane, v.unit_of_long());
+            self.set(lane, self.get(lane).unit_of_long());
         }
-        if any_short {
-            self.mend_short(&mut unit);
-        }
-        unit
     }
 
     #[cold]
     #[inline(never)]
-    fn mend_short(&self, unit: &mut Self) {
+    fn normalize_short(&mut self) {
         for lane in 0..LANES {
-            unit.set(lane, self.get(lane).unit());
+            self.set(lane, self.get(lane).unit());
         }
     }
 }

@@ -10,13 +10,27 @@ use super::has;
 use super::lanes::{LANES, LaneCounts, Lanes, RayLanes, Reach, VectorLanes, any, nowhere};
 use super::occlusion::occlude;
 use super::surface::SurfaceLanes;
-use super::trees::Scratch;
+use super::trees::TreeScratch;
 
 /// Sums over all lights that reach each point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LightLanes<T> {
     pub(super) lambert: Lanes<T>,
     pub(super) phong: Lanes<T>,
+}
+
+/// From each point to a light.
+pub(super) struct WayLanes<T> {
+    segments: VectorLanes<T>,
+    /// Of the segments; below 0 where no light arrives.
+    reach: Reach<T>,
+}
+
+impl<T: Real> WayLanes<T> {
+    /// No light yet.
+    pub(super) fn none() -> Self {
+        Self { segments: VectorLanes::zero(), reach: [nowhere(); LANES] }
+    }
 }
 
 /// What the lights do to the points of a packet.
@@ -36,12 +50,13 @@ impl<T: Real> Lighting<'_, T> {
     pub(super) fn gather<const EFFECTS: u32>(
         &self,
         shadow_rays: &mut LaneCounts,
-        scratch: &mut Scratch,
+        ways: &mut WayLanes<T>,
+        trees: &mut TreeScratch,
         mut trails: Option<&mut [Trail; LANES]>,
     ) -> LightLanes<T> {
         let mut sums = LightLanes { lambert: [T::ZERO; LANES], phong: [T::ZERO; LANES] };
         for row in 0..self.tables.lights.len() {
-            self.add::<EFFECTS>(row, &mut sums, shadow_rays, scratch, trails.as_deref_mut());
+            self.add::<EFFECTS>(row, &mut sums, shadow_rays, ways, trees, trails.as_deref_mut());
         }
         sums
     }
@@ -52,39 +67,45 @@ impl<T: Real> Lighting<'_, T> {
         row: usize,
         sums: &mut LightLanes<T>,
         shadow_rays: &mut LaneCounts,
-        scratch: &mut Scratch,
+        WayLanes { segments, reach }: &mut WayLanes<T>,
+        trees: &mut TreeScratch,
         trails: Option<&mut [Trail; LANES]>,
     ) {
         // 1. Points that face the light, in its cone, and not so far that nothing arrives.
         let light = &self.tables.lights.row(row);
-        let (segments, mut reach) = self.segments_to::<EFFECTS>(light);
+        self.find_ways::<EFFECTS>(light, segments, reach);
         if !any(|lane| reach[lane] > T::ZERO) {
             return;
         }
-        let scale = scales::<T, EFFECTS>(light, &segments, &mut reach);
+        let scale = scales::<T, EFFECTS>(light, segments, reach);
         if !any(|lane| reach[lane] > T::ZERO) {
             return;
         }
-        shadow_rays.add(&reach);
+        shadow_rays.add(reach);
         // 2. Points that nothing hides from it.
         let bundle = Bundle::from_point(light.position, self.cluster);
         let candidates = self.bounds.near(&bundle);
-        let ways = RayLanes { start: &self.surface.start, direction: &segments };
-        occlude(self.tables, &ways, &mut reach, &bundle, &candidates, row, scratch);
+        let ways = RayLanes { start: &self.surface.start, direction: segments };
+        occlude(self.tables, &ways, reach, &bundle, &candidates, row, trees);
         if let Some(trails) = trails {
-            note(trails, &reach, row);
+            note(trails, reach, row);
         }
         // 3. What it does there.
         if any(|lane| reach[lane] > T::ZERO) {
-            self.shine::<EFFECTS>(&reach, &segments.unit(), &scale, sums);
+            segments.normalize();
+            self.shine::<EFFECTS>(reach, segments, &scale, sums);
         }
     }
 
     /// The ways to a light, up to it from points that face it and that its cone contains.
     #[inline(always)]
-    fn segments_to<const EFFECTS: u32>(&self, light: &LightRow<T>) -> (VectorLanes<T>, Reach<T>) {
+    fn find_ways<const EFFECTS: u32>(
+        &self,
+        light: &LightRow<T>,
+        segments: &mut VectorLanes<T>,
+        reach: &mut Reach<T>,
+    ) {
         let start = &self.surface.start;
-        let (mut segments, mut reach) = (VectorLanes::zero(), [T::ZERO; LANES]);
         for lane in 0..LANES {
             let segment = light.position - start.point.get(lane);
             let faces = segment.dot(self.surface.normal.get(lane)) > T::ZERO;
@@ -100,7 +121,6 @@ impl<T: Real> Lighting<'_, T> {
                 reach[lane] = if contains { reach[lane] } else { nowhere() };
             }
         }
-        (segments, reach)
     }
 
     #[inline(always)]

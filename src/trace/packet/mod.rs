@@ -26,10 +26,10 @@ mod stream;
 mod surface;
 mod trees;
 
-pub(super) use block::{BLOCK, Block};
+pub(super) use block::{BLOCK, Block, Scratch};
 pub(super) use bounds::Bounds;
 pub(super) use lanes::LANES;
 pub(super) use stream::{closest_hits, occlusions};
-pub(super) use trees::Scratch;
+pub(super) use trees::TreeScratch;
 
 use super::kernel::has;

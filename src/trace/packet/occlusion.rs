@@ -7,7 +7,7 @@ use super::bounds::{Candidates, Rows};
 use super::bundle::Bundle;
 use super::closest::exit_of;
 use super::lanes::{LANES, RayLanes, Reach, any, nowhere};
-use super::trees::{Scratch, block_tree};
+use super::trees::{TreeScratch, block_trees};
 
 /// [`is_occluded`](crate::trace::is_occluded) for every lane: those that are become idle.
 #[inline(always)]
@@ -18,19 +18,17 @@ pub(super) fn occlude<T: Real>(
     bundle: &Bundle<T>,
     candidates: &Candidates,
     light: usize,
-    scratch: &mut Scratch,
+    scratch: &mut TreeScratch,
 ) {
     if segments.start.any_inward {
-        leave(tables, segments, reach);
+        *reach = leave(tables, segments, *reach);
     }
     let goes_on = block(&tables.spheres, candidates.of(Kind::Sphere), segments, reach)
         && block(&tables.cubes, candidates.of(Kind::Cube), segments, reach)
         && block(&tables.pyramids, candidates.of(Kind::Pyramid), segments, reach);
-    if goes_on && block(&tables.boards, candidates.of(Kind::Board), segments, reach) {
-        let trees = &tables.trees;
-        block_tree(&tables.spheres, trees.spheres.as_deref(), segments, bundle, reach, light, scratch);
-        block_tree(&tables.cubes, trees.cubes.as_deref(), segments, bundle, reach, light, scratch);
-        block_tree(&tables.pyramids, trees.pyramids.as_deref(), segments, bundle, reach, light, scratch);
+    let goes_on = goes_on && block(&tables.boards, candidates.of(Kind::Board), segments, reach);
+    if goes_on && !tables.trees.is_empty() {
+        *reach = block_trees(tables, segments, bundle, *reach, light, scratch);
     }
 }
 
@@ -74,42 +72,48 @@ pub(super) fn test<T: Real>(
     for lane in 0..LANES {
         let met = shape.meet(&segments.get(lane));
         let counts = segments.start.departed[lane] != name;
-        any_unsure |= counts & met.unsure;
+        // Idle lanes hold anything.
+        any_unsure |= counts & met.unsure & (reach[lane] > T::ZERO);
         let blocks = counts & (met.t < reach[lane]);
         reach[lane] = if blocks { nowhere() } else { reach[lane] };
         any_left |= reach[lane] > T::ZERO;
     }
     if any_unsure {
-        return settle_unsure(shape, name, segments, reach);
+        *reach = settle_unsure(shape, name, segments, *reach);
+        return any(|lane| reach[lane] > T::ZERO);
     }
     any_left
 }
 
-/// Lets a shape hide the lights of lanes in which rounding cannot tell whether it is met. Whether any lane is left.
+/// Lets a shape hide the lights of lanes in which rounding cannot tell whether it is met.
 #[cold]
 #[inline(never)]
 fn settle_unsure<T: Real>(
     shape: &impl Straight<T>,
     name: u32,
     segments: &RayLanes<'_, T>,
-    reach: &mut Reach<T>,
-) -> bool {
+    mut reach: Reach<T>,
+) -> Reach<T> {
     for lane in 0..LANES {
         let segment = segments.get(lane);
-        let is_unsure = segments.start.departed[lane] != name && shape.meet(&segment).unsure;
-        if is_unsure && shape.intersect(&segment).is_some_and(|crossing| crossing.t < reach[lane]) {
+        let counts = segments.start.departed[lane] != name && reach[lane] > T::ZERO;
+        if counts
+            && shape.meet(&segment).unsure
+            && shape.intersect(&segment).is_some_and(|crossing| crossing.t < reach[lane])
+        {
             reach[lane] = nowhere();
         }
     }
-    any(|lane| reach[lane] > T::ZERO)
+    reach
 }
 
 #[cold]
 #[inline(never)]
-fn leave<T: Real>(tables: &SceneTables<T>, segments: &RayLanes<'_, T>, reach: &mut Reach<T>) {
+fn leave<T: Real>(tables: &SceneTables<T>, segments: &RayLanes<'_, T>, mut reach: Reach<T>) -> Reach<T> {
     for lane in 0..LANES {
         if exit_of(tables, segments, lane).is_some_and(|crossing| crossing.t < reach[lane]) {
             reach[lane] = nowhere();
         }
     }
+    reach
 }

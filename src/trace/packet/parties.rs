@@ -175,7 +175,9 @@ mod tests {
     }
 
     fn bundle(start: &StartLanes<f64>, direction: &VectorLanes<f64>, reach: &Reach<f64>) -> Bundle<f64> {
-        Bundle::of_rays(&Cluster::of(&start.point, reach), &direction.unit(), reach)
+        let mut units = *direction;
+        units.normalize();
+        Bundle::of_rays(&Cluster::of(&start.point, reach), &units, reach)
     }
 
     /// The lanes of every part, and those that are left.

@@ -9,9 +9,9 @@ use super::bundle::{Bundle, Cluster};
 use super::closest::closest;
 use super::has;
 use super::lanes::{LANES, LaneCounts, Lanes, RayLanes, Reach, StartLanes, VectorLanes, any, mask, nowhere};
-use super::lights::{LightLanes, Lighting};
+use super::lights::{LightLanes, Lighting, WayLanes};
 use super::surface::{SurfaceLanes, gather};
-use super::trees::Scratch;
+use super::trees::TreeScratch;
 
 /// What packets are traced in.
 pub(super) struct Paths<'a, T: Real> {
@@ -30,14 +30,28 @@ pub(super) struct Departing<T> {
     pub(super) reach: Reach<T>,
 }
 
+impl<T: Real> Departing<T> {
+    /// No rays yet.
+    pub(super) fn none() -> Self {
+        Self { start: StartLanes::free(), direction: VectorLanes::zero(), reach: [nowhere(); LANES] }
+    }
+}
+
+/// Room for what is found on the way.
+pub(super) struct Rooms<'a, T> {
+    pub(super) surface: &'a mut SurfaceLanes<T>,
+    pub(super) ways: &'a mut WayLanes<T>,
+    pub(super) trees: &'a mut TreeScratch,
+}
+
 impl<T: Real> Paths<'_, T> {
     /// [`radiance`](crate::trace::radiance()) of every active lane. What they meet is noted in the trails, if there are any.
     #[inline(always)]
     pub(super) fn radiance<const EFFECTS: u32>(
         &self,
         departing: &mut Departing<T>,
+        Rooms { surface, ways, trees }: Rooms<'_, T>,
         mut trails: Option<&mut [Trail; LANES]>,
-        scratch: &mut Scratch,
         counts: &mut Counts,
     ) -> VectorLanes<T> {
         let mut sum = VectorLanes::zero();
@@ -52,11 +66,11 @@ impl<T: Real> Paths<'_, T> {
             let bundle = Bundle::of_rays(&cluster, direction, reach);
             let candidates = self.bounds.near(&bundle);
             let rays = RayLanes { start, direction };
-            let hits = closest(self.tables, &rays, reach, &bundle, &candidates, scratch);
+            let hits = closest(self.tables, &rays, reach, &bundle, &candidates, trees);
             if !any(|lane| hits.name[lane] != ObjectId::NOBODY) {
                 break;
             }
-            let surface = gather::<T, EFFECTS>(self.tables, &rays, &hits);
+            gather::<T, EFFECTS>(self.tables, &rays, &hits, surface);
             if let Some(trails) = &mut trails {
                 meet(trails, &hits.name);
             }
@@ -74,17 +88,17 @@ impl<T: Real> Paths<'_, T> {
             let lighting = Lighting {
                 tables: self.tables,
                 bounds: self.bounds,
-                surface: &surface,
+                surface,
                 cluster: &cluster,
                 mirrored: direction,
             };
-            let light = lighting.gather::<EFFECTS>(&mut shadow_rays, scratch, trails.as_deref_mut());
-            add::<T, EFFECTS>(&mut sum, &surface, &light, weight.as_ref());
+            let light = lighting.gather::<EFFECTS>(&mut shadow_rays, ways, trees, trails.as_deref_mut());
+            add::<T, EFFECTS>(&mut sum, surface, &light, weight.as_ref());
             if !(has::<EFFECTS>(Effect::Mirror) && goes_on) {
                 break;
             }
             // 4. The next rays.
-            reflect_on(reach, weight.get_or_insert([T::ONE; LANES]), &surface, self.cutoff);
+            reflect_on(reach, weight.get_or_insert([T::ONE; LANES]), surface, self.cutoff);
             let going_on = mask(|lane| reach[lane] >= T::ZERO).count_ones();
             if going_on == 0 {
                 break;

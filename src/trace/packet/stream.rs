@@ -10,7 +10,7 @@ use super::bundle::{Bundle, Cluster};
 use super::closest::closest;
 use super::lanes::{LANES, OUTWARD, RayLanes, Reach, StartLanes, VectorLanes, nowhere};
 use super::occlusion::occlude;
-use super::trees::Scratch;
+use super::trees::TreeScratch;
 
 /// Queries as a packet.
 struct Packet<T> {
@@ -43,7 +43,9 @@ impl<T: Real> Packet<T> {
             direction.set(lane, Vector::new(T::ONE, T::ZERO, T::ZERO));
         }
         let cluster = Cluster::of(&start.point, &reach);
-        let bundle = Bundle::of_rays(&cluster, &direction.unit(), &reach);
+        let mut units = direction;
+        units.normalize();
+        let bundle = Bundle::of_rays(&cluster, &units, &reach);
         Self { start, direction, reach, bundle }
     }
 
@@ -59,13 +61,14 @@ pub(in crate::trace) fn closest_hits<T: Real>(
     tables: &SceneTables<T>,
     queries: &[Query<T>],
     hits: &mut [Option<Hit<T>>],
+    scratch: &mut TreeScratch,
 ) {
-    let (bounds, mut scratch) = (Bounds::new(tables), Scratch::new());
+    let bounds = Bounds::new(tables);
     for (queries, hits) in queries.chunks(LANES).zip(hits.chunks_mut(LANES)) {
         let packet = Packet::of(queries);
         let candidates = bounds.near(&packet.bundle);
         let (reach, bundle) = (&packet.reach, &packet.bundle);
-        let found = closest(tables, &packet.rays(), reach, bundle, &candidates, &mut scratch);
+        let found = closest(tables, &packet.rays(), reach, bundle, &candidates, scratch);
         for (lane, hit) in hits.iter_mut().enumerate() {
             let crossing = FaceCode::meeting(found.face[lane], found.t[lane]).crossing();
             *hit = crossing
@@ -81,13 +84,14 @@ pub(in crate::trace) fn occlusions<T: Real>(
     tables: &SceneTables<T>,
     queries: &[Query<T>],
     occluded: &mut [bool],
+    scratch: &mut TreeScratch,
 ) {
-    let (bounds, mut scratch) = (Bounds::new(tables), Scratch::new());
+    let bounds = Bounds::new(tables);
     for (queries, occluded) in queries.chunks(LANES).zip(occluded.chunks_mut(LANES)) {
         let packet = Packet::of(queries);
         let candidates = bounds.near(&packet.bundle);
         let mut reach = packet.reach;
-        occlude(tables, &packet.rays(), &mut reach, &packet.bundle, &candidates, 0, &mut scratch);
+        occlude(tables, &packet.rays(), &mut reach, &packet.bundle, &candidates, 0, scratch);
         for (lane, occluded) in occluded.iter_mut().enumerate() {
             *occluded = packet.reach[lane] > T::ZERO && reach[lane] <= T::ZERO;
         }

@@ -12,7 +12,7 @@ use super::closest::HitLanes;
 use super::has;
 use super::lanes::{LANES, Lanes, OUTWARD, RayLanes, StartLanes, VectorLanes, any, least};
 
-/// Surface points. An effect that a surface does not have counts 0.
+/// Surface points. An effect that a surface does not have counts 0. Idle lanes hold anything.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SurfaceLanes<T> {
     /// How rays leave, on the side that they came from.
@@ -30,26 +30,16 @@ pub(super) struct SurfaceLanes<T> {
     pub(super) any_mirror: bool,
 }
 
-/// What the active lanes met, one object after the other.
+/// What the active lanes met, one object after the other. In place: zeros and a copy for every packet are kilobytes.
 #[inline(always)]
 pub(super) fn gather<T: Real, const EFFECTS: u32>(
     tables: &SceneTables<T>,
     rays: &RayLanes<'_, T>,
     hits: &HitLanes<T>,
-) -> SurfaceLanes<T> {
-    let zero = [T::ZERO; LANES];
-    let mut found = SurfaceLanes {
-        start: StartLanes { departed: hits.name, ..StartLanes::free() },
-        normal: VectorLanes::zero(),
-        color: VectorLanes::zero(),
-        ambient: zero,
-        diffuse: zero,
-        specular: zero,
-        shininess: zero,
-        reflectance: zero,
-        any_gloss: false,
-        any_mirror: false,
-    };
+    found: &mut SurfaceLanes<T>,
+) {
+    found.forget::<EFFECTS>();
+    found.start.departed = hits.name;
     let mut left = hits.name;
     loop {
         let name = least(&left);
@@ -71,10 +61,40 @@ pub(super) fn gather<T: Real, const EFFECTS: u32>(
         }
     }
     found.start.any_inward = any(|lane| found.start.face[lane] != OUTWARD);
-    found
 }
 
 impl<T: Real> SurfaceLanes<T> {
+    /// Nothing met yet.
+    pub(super) fn none() -> Self {
+        let zero = [T::ZERO; LANES];
+        Self {
+            start: StartLanes::free(),
+            normal: VectorLanes::zero(),
+            color: VectorLanes::zero(),
+            ambient: zero,
+            diffuse: zero,
+            specular: zero,
+            shininess: zero,
+            reflectance: zero,
+            any_gloss: false,
+            any_mirror: false,
+        }
+    }
+
+    /// Forgets what not every object sets in its lanes.
+    #[inline(always)]
+    fn forget<const EFFECTS: u32>(&mut self) {
+        self.start.face = [OUTWARD; LANES];
+        if has::<EFFECTS>(Effect::Gloss) && self.any_gloss {
+            self.specular = [T::ZERO; LANES];
+            self.any_gloss = false;
+        }
+        if has::<EFFECTS>(Effect::Mirror) && self.any_mirror {
+            self.reflectance = [T::ZERO; LANES];
+            self.any_mirror = false;
+        }
+    }
+
     /// The lanes that met one object.
     #[inline(always)]
     fn add<C, const EFFECTS: u32>(

@@ -1,8 +1,13 @@
 //! Packets and trees: all rays as one where they go much the same way, otherwise each by itself.
+//!
+//! Trees know of no effect, so kernels share the code of both searches.
 
 use crate::geometry::Real;
+use crate::trace::simd::Vectorised;
 use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk, Walks};
-use crate::trace::{Kind, ObjectId, SceneTables, ShapeColumns, ShapeTable};
+use crate::trace::{
+    CubeColumns, Kind, ObjectId, PyramidColumns, SceneTables, ShapeColumns, ShapeTable, Simd, SphereColumns,
+};
 
 use super::beam::{AnyOfBeam, BeamRays, NearestOfBeam};
 use super::bundle::Bundle;
@@ -14,9 +19,12 @@ use super::parties::{Parties, Party};
 /// Rays that take turns in a tree.
 const GROUP: usize = 16;
 
-/// What searches need room for, kept from one to the next.
-pub(in crate::trace) struct Scratch {
-    stacks: [Stack; GROUP],
+/// What searches of trees need room for, kept from one to the next.
+pub(in crate::trace) struct TreeScratch {
+    /// What trees are searched with.
+    simd: Simd,
+    /// 64 KiB, which nobody clears where there is no tree.
+    stacks: Option<[Stack; GROUP]>,
     /// For some lights and each kind, the row that hid a light last: likely to hide it again.
     occluders: [[u32; 3]; LIGHTS],
 }
@@ -24,10 +32,14 @@ pub(in crate::trace) struct Scratch {
 /// Lights that a last occluder is remembered for; others share.
 const LIGHTS: usize = 8;
 
-impl Scratch {
-    pub(in crate::trace) fn new() -> Self {
-        Self { stacks: core::array::from_fn(|_| Stack::new()), occluders: [[NO_ROW; 3]; LIGHTS] }
+impl TreeScratch {
+    pub(in crate::trace) fn new(simd: Simd) -> Self {
+        Self { simd, stacks: None, occluders: [[NO_ROW; 3]; LIGHTS] }
     }
+}
+
+fn stacks() -> [Stack; GROUP] {
+    [const { Stack::new() }; GROUP]
 }
 
 /// [`RayNumbers`] of every lane.
@@ -66,33 +78,65 @@ impl<T: Real> NumberLanes<T> {
     }
 }
 
-/// Searches the tree of one kind for every lane.
+/// Searches all trees for every lane.
 #[inline(always)]
-pub(super) fn search_tree<T: Real, C>(
+pub(super) fn search_trees<T: Real>(
     tables: &SceneTables<T>,
-    tree: Option<&Tree<T, C::Shape>>,
     rays: &RayLanes<'_, T>,
     bundle: &Bundle<T>,
-    hits: &mut HitLanes<T>,
-    scratch: &mut Scratch,
-) where
-    C: ShapeColumns<T, Shape: Packed<T>>,
-{
-    let Some(tree) = tree else { return };
-    let search: ClosestSearch<'_, T, C> = ClosestSearch { tables, tree, rays };
-    let mut parties = Parties::of(tree, rays, bundle, &hits.t);
-    while let Some(party) = parties.next() {
-        let before = core::mem::replace(&mut hits.t, party.reach);
-        search.together(&party, hits, &mut scratch.stacks[0]);
-        party.restore(&mut hits.t, &before);
+    hits: HitLanes<T>,
+    scratch: &mut TreeScratch,
+) -> HitLanes<T> {
+    scratch.simd.run(ClosestInTrees { tables, rays, bundle, hits, scratch })
+}
+
+/// Work shared by all kernels, see [`search_trees`].
+struct ClosestInTrees<'a, T: Real> {
+    tables: &'a SceneTables<T>,
+    rays: &'a RayLanes<'a, T>,
+    bundle: &'a Bundle<T>,
+    hits: HitLanes<T>,
+    scratch: &'a mut TreeScratch,
+}
+
+impl<T: Real> Vectorised for ClosestInTrees<'_, T> {
+    type Output = HitLanes<T>;
+
+    #[inline(always)]
+    fn run(mut self) -> Self::Output {
+        let trees = &self.tables.trees;
+        self.search::<SphereColumns<T>>(trees.spheres.as_deref());
+        self.search::<CubeColumns<T>>(trees.cubes.as_deref());
+        self.search::<PyramidColumns<T>>(trees.pyramids.as_deref());
+        self.hits
     }
-    let alone = parties.alone();
-    if alone == 0 {
-        return;
+}
+
+impl<T: Real> ClosestInTrees<'_, T> {
+    /// Searches the tree of one kind.
+    #[inline(always)]
+    fn search<C>(&mut self, tree: Option<&Tree<T, C::Shape>>)
+    where
+        C: ShapeColumns<T, Shape: Packed<T>>,
+    {
+        let Some(tree) = tree else { return };
+        let Self { tables, rays, bundle, hits, scratch } = self;
+        let stacks = scratch.stacks.get_or_insert_with(stacks);
+        let search: ClosestSearch<'_, T, C> = ClosestSearch { tables, tree, rays };
+        let mut parties = Parties::of(tree, rays, bundle, &hits.t);
+        while let Some(party) = parties.next() {
+            let before = core::mem::replace(&mut hits.t, party.reach);
+            search.together(&party, hits, &mut stacks[0]);
+            party.restore(&mut hits.t, &before);
+        }
+        let alone = parties.alone();
+        if alone == 0 {
+            return;
+        }
+        let numbers = &NumberLanes::of(rays, tree.rounding());
+        let mut rays = ClosestWalks { search, numbers, left: alone, hits };
+        tree.search_all::<true, _, _>(&mut rays, stacks);
     }
-    let numbers = &NumberLanes::of(rays, tree.rounding());
-    let mut rays = ClosestWalks { search, numbers, left: alone, hits };
-    tree.search_all::<true, _, _>(&mut rays, &mut scratch.stacks);
 }
 
 struct ClosestSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
@@ -144,39 +188,72 @@ impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> Walks<T, Nearest<'a, T>>
     }
 }
 
-/// Searches the tree of one kind for whatever hides a light.
+/// Searches all trees for whatever hides a light.
 #[inline(always)]
-pub(super) fn block_tree<T: Real, C>(
-    table: &ShapeTable<T, C>,
-    tree: Option<&Tree<T, C::Shape>>,
+pub(super) fn block_trees<T: Real>(
+    tables: &SceneTables<T>,
     segments: &RayLanes<'_, T>,
     bundle: &Bundle<T>,
-    reach: &mut Reach<T>,
+    reach: Reach<T>,
     light: usize,
-    scratch: &mut Scratch,
-) where
-    C: ShapeColumns<T, Shape: Packed<T>>,
-{
-    let Some(tree) = tree else { return };
-    let search = ShadowSearch { table, tree, segments };
-    let last = &mut scratch.occluders[light % LIGHTS][C::KIND as usize % 3];
-    if *last != NO_ROW && !search.hide(*last, reach) {
-        return;
+    scratch: &mut TreeScratch,
+) -> Reach<T> {
+    scratch.simd.run(OcclusionByTrees { tables, segments, bundle, reach, light, scratch })
+}
+
+/// Work shared by all kernels, see [`block_trees`].
+struct OcclusionByTrees<'a, T: Real> {
+    tables: &'a SceneTables<T>,
+    segments: &'a RayLanes<'a, T>,
+    bundle: &'a Bundle<T>,
+    reach: Reach<T>,
+    light: usize,
+    scratch: &'a mut TreeScratch,
+}
+
+impl<T: Real> Vectorised for OcclusionByTrees<'_, T> {
+    type Output = Reach<T>;
+
+    #[inline(always)]
+    fn run(mut self) -> Self::Output {
+        let SceneTables { spheres, cubes, pyramids, trees, .. } = self.tables;
+        self.block(spheres, trees.spheres.as_deref());
+        self.block(cubes, trees.cubes.as_deref());
+        self.block(pyramids, trees.pyramids.as_deref());
+        self.reach
     }
-    let mut parties = Parties::of(tree, segments, bundle, reach);
-    while let Some(party) = parties.next() {
-        let before = core::mem::replace(reach, party.reach);
-        search.together(&party, reach, &mut scratch.stacks[0]);
-        party.restore(reach, &before);
+}
+
+impl<T: Real> OcclusionByTrees<'_, T> {
+    /// Searches the tree of one kind.
+    #[inline(always)]
+    fn block<C>(&mut self, table: &ShapeTable<T, C>, tree: Option<&Tree<T, C::Shape>>)
+    where
+        C: ShapeColumns<T, Shape: Packed<T>>,
+    {
+        let Some(tree) = tree else { return };
+        let Self { segments, bundle, reach, scratch, .. } = self;
+        let search = ShadowSearch { table, tree, segments };
+        let last = &mut scratch.occluders[self.light % LIGHTS][C::KIND as usize % 3];
+        if *last != NO_ROW && !search.hide(*last, reach) {
+            return;
+        }
+        let stacks = scratch.stacks.get_or_insert_with(stacks);
+        let mut parties = Parties::of(tree, segments, bundle, reach);
+        while let Some(party) = parties.next() {
+            let before = core::mem::replace(reach, party.reach);
+            search.together(&party, reach, &mut stacks[0]);
+            party.restore(reach, &before);
+        }
+        let alone = parties.alone();
+        if alone == 0 {
+            return;
+        }
+        let numbers = &NumberLanes::of(segments, tree.rounding());
+        let shares = !tree.is_large();
+        let mut rays = ShadowWalks { search, numbers, left: alone, reach, last, shares };
+        tree.search_all::<false, _, _>(&mut rays, stacks);
     }
-    let alone = parties.alone();
-    if alone == 0 {
-        return;
-    }
-    let numbers = &NumberLanes::of(segments, tree.rounding());
-    let shares = !tree.is_large();
-    let mut rays = ShadowWalks { search, numbers, left: alone, reach, last, shares };
-    tree.search_all::<false, _, _>(&mut rays, &mut scratch.stacks);
 }
 
 struct ShadowSearch<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {

@@ -45,7 +45,7 @@ pub(in crate::trace) struct Stack {
 }
 
 impl Stack {
-    pub(in crate::trace) fn new() -> Self {
+    pub(in crate::trace) const fn new() -> Self {
         Self { entries: [Entry(0); STACK_SIZE] }
     }
 

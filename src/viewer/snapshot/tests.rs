@@ -23,8 +23,9 @@ fn request(folder: &TempDir, precision: Precision, grid: u32) -> SnapshotRequest
     }
 }
 
+/// Of seconds: whatever is done meanwhile is done first.
 fn heavy_request(folder: &TempDir) -> SnapshotRequest {
-    SnapshotRequest { view: view(&mut heavy(), F64), pixels: 1024, ..request(folder, F64, 1) }
+    SnapshotRequest { view: view(&mut heavy(), F64), pixels: 1024, ..request(folder, F64, 8) }
 }
 
 fn snapshots() -> Snapshots {
