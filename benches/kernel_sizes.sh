@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What the kernels add to a release program: bytes of code of the packets, for each level of vector instructions, and of the
-# stages that trace ray by ray. Of packets, the smaller half of the copies is for the smaller kernel, in both precisions.
+# What the kernels add to a release program: bytes of code of the packets, for each level of vector instructions, of the
+# searches of trees and of lists of rays that they share, and of the stages that trace ray by ray. Of packets, the smaller half
+# of the copies is for the smaller kernel, in both precisions.
 # With --times, also the processor seconds that it takes to build the program as it is, without code for AVX, and without
 # any effect; that takes half an hour.
 #
@@ -22,6 +23,7 @@ nm --print-size --radix=d --demangle --defined-only "$program" | awk '
     $3 !~ /^[tTwW]$/ { next }
     { size = $2; whole += size; name = $0; sub(/^[0-9]+ [0-9]+ . /, "", name); place = "" }
     name ~ /trace::simd::trace_[a-z0-9]+$/ { place = name; sub(/.*trace_/, "packets, ", place) }
+    name ~ /trace::simd::run_[a-z0-9]+$/ { place = name; sub(/.*run_/, "trees and lists of rays, ", place) }
     name ~ /trace::tile::trace_each$/ { place = "stages: cameras" }
     name ~ /trace::radiance::(follow_all|Walk<.*>::follow)$/ { place = "stages: rays" }
     name ~ /trace::air::look_beyond$/ { place = "stages: surroundings" }

@@ -48,6 +48,9 @@ pub fn format_of(path: &Path) -> Result<ImageFormat, ImageFileError> {
     }
 }
 
+/// More bytes than the headers of a BMP file are.
+const HEADERS: usize = 64;
+
 /// The bytes of a picture file: 24-bit BMP or 8-bit RGB PNG by the path's ending.
 pub fn encode(film: &Film, path: &Path) -> Result<Vec<u8>, ImageFileError> {
     encode_rgb8(film.side(), film.to_rgb8(), path)
@@ -57,7 +60,8 @@ pub fn encode(film: &Film, path: &Path) -> Result<Vec<u8>, ImageFileError> {
 /// not fit the side make an empty picture.
 pub fn encode_rgb8(side: u32, rgb: Vec<u8>, path: &Path) -> Result<Vec<u8>, ImageFileError> {
     let format = format_of(path)?;
-    let mut bytes = Vec::new();
+    // Of a BMP nothing is moved then; a PNG is smaller.
+    let mut bytes = Vec::with_capacity(rgb.len() + HEADERS);
     let image = RgbImage::from_raw(side, side, rgb).unwrap_or_default();
     DynamicImage::ImageRgb8(image)
         .write_to(&mut Cursor::new(&mut bytes), format)
