@@ -106,10 +106,12 @@ impl<T: Real> Lighting<'_, T> {
         reach: &mut Reach<T>,
     ) {
         let start = &self.surface.start;
+        // By themselves, as in `SurfaceLanes::locate`.
+        let departed = start.departed;
         for lane in 0..LANES {
             let segment = light.position - start.point.get(lane);
             let faces = segment.dot(self.surface.normal.get(lane)) > T::ZERO;
-            let is_lit = faces & (start.departed[lane] != ObjectId::NOBODY);
+            let is_lit = faces & (departed[lane] != ObjectId::NOBODY);
             segments.set(lane, segment);
             reach[lane] = if is_lit { T::ONE } else { nowhere() };
         }

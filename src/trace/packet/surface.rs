@@ -113,6 +113,8 @@ impl<T: Real> SurfaceLanes<T> {
 
     #[inline(always)]
     fn locate(&mut self, shape: &impl Straight<T>, name: u32, rays: &RayLanes<'_, T>, hits: &HitLanes<T>) {
+        // By itself: between points and normals, compilers take it for numbers of f64 that a loop might write.
+        let mut face = self.start.face;
         for lane in 0..LANES {
             let met = FaceCode::meeting(hits.face[lane], hits.t[lane]);
             let at = shape.surface(&rays.get(lane), &met);
@@ -125,8 +127,9 @@ impl<T: Real> SurfaceLanes<T> {
             let own = hits.name[lane] == name;
             self.start.point.set_if(own, lane, at.point);
             self.normal.set_if(own, lane, normal);
-            self.start.face[lane] = if own & met.inside { met.face } else { self.start.face[lane] };
+            face[lane] = if own & met.inside { met.face } else { face[lane] };
         }
+        self.start.face = face;
     }
 
     #[inline(always)]
@@ -169,10 +172,12 @@ impl<T: Real> SurfaceLanes<T> {
             return self.paint_texture::<EFFECTS>(tables, row, name);
         }
         let (origin, width) = boards.pattern(row as usize);
+        // By themselves, as in `locate`.
+        let departed = self.start.departed;
         for lane in 0..LANES {
             let point = self.start.point.get(lane);
             let white = cell_point(point.x - origin.x, point.y - origin.y, width).white;
-            let black = (self.start.departed[lane] == name) & !white;
+            let black = (departed[lane] == name) & !white;
             self.color.set_if(black, lane, Vector::new(T::ZERO, T::ZERO, T::ZERO));
         }
     }
