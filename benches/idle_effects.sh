@@ -15,7 +15,7 @@
 # UNITS=N compiles in N parts instead of those of a release: what the compiler inlines depends on them, the rule does not.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-small=16 one_by_one=64 in_packets=160 bound=0.01 least_gain=1.25
+small=16 one_by_one=64 in_packets=320 bound=0.01 least_gain=1.25
 all_words=("gloss mirror falloff spot_cone" "texture texture_filter checker_filter light_color"
     "directional area_light background fog" "glass absorption aperture exposure" "motion_blur srgb"
     "gloss texture directional glass motion_blur" "mirror texture_filter area_light absorption srgb"
@@ -75,7 +75,7 @@ a_pixel() {
     shift 2
     low=$(instructions "$program" $small "$scene" "$@")
     high=$(instructions "$program" "$large" "$scene" "$@")
-    echo $(((high - low) / (large * large - small * small)))
+    awk "BEGIN { printf \"%.1f\", ($high - $low) / ($large * $large - $small * $small) }"
 }
 
 # Counts for some scenes, on all processors; the figures are in `counted` then, by scene.
