@@ -7,7 +7,7 @@ use crate::trace::{CameraRays, Counts, ObjectId, SamplePoint, SceneTables, Simd,
 use super::bounds::Bounds;
 use super::lanes::{LANES, OUTWARD, VectorLanes, any, nowhere};
 use super::lights::WayLanes;
-use super::path::{Departing, Paths, Rooms};
+use super::path::{Departing, PathScratch, Paths};
 use super::surface::SurfaceLanes;
 use super::trees::TreeScratch;
 
@@ -77,7 +77,8 @@ impl<T: Real> Block<'_, T> {
         } else {
             None
         };
-        let mut found = paths.radiance::<EFFECTS>(departing, Rooms { surface, ways, trees }, trails, counts);
+        let mut found =
+            paths.radiance::<EFFECTS>(departing, PathScratch { surface, ways, trees }, trails, counts);
         clamp(&mut found, counts);
         for lane in 0..LANES {
             colors[lane] = [found.x[lane].to_f64(), found.y[lane].to_f64(), found.z[lane].to_f64()];

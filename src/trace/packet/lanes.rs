@@ -46,7 +46,7 @@ impl<T: Real> VectorLanes<T> {
         self.z[lane] = if condition { v.z } else { self.z[lane] };
     }
 
-    /// [`Vector::unit`] of every lane.
+    /// Makes every lane its [`Vector::unit`].
     #[inline(always)]
     pub(super) fn normalize(&mut self) {
         if any(|lane| !self.get(lane).is_long()) {

@@ -1,9 +1,9 @@
 //! Thirty-two rays at once.
 //!
 //! A block of 8 x 4 pixels, or any other thirty-two, is traced together: one shape or one light against all its rays, in
-//! loops over lanes that a compiler turns into vector instructions of whatever width there is. Each lane does what [`radiance`] does for one
-//! ray, by the same operations in the same order, so a picture is the same to the bit on every path. A lane that has
-//! nothing to do reaches nothing: its reach is below 0.
+//! loops over lanes that a compiler turns into vector instructions of whatever width there is. Each lane does what
+//! [`radiance`] does for one ray, by the same operations in the same order, so a picture is the same to the bit on every
+//! path. A lane that has nothing to do reaches nothing: its reach is below 0, and the rest of it is what it was before.
 //!
 //! [`radiance`]: super::radiance()
 

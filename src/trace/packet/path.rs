@@ -37,8 +37,8 @@ impl<T: Real> Departing<T> {
     }
 }
 
-/// Room for what is found on the way.
-pub(super) struct Rooms<'a, T> {
+/// What a path needs room for, whatever it was used for before.
+pub(super) struct PathScratch<'a, T> {
     pub(super) surface: &'a mut SurfaceLanes<T>,
     pub(super) ways: &'a mut WayLanes<T>,
     pub(super) trees: &'a mut TreeScratch,
@@ -50,7 +50,7 @@ impl<T: Real> Paths<'_, T> {
     pub(super) fn radiance<const EFFECTS: u32>(
         &self,
         departing: &mut Departing<T>,
-        Rooms { surface, ways, trees }: Rooms<'_, T>,
+        PathScratch { surface, ways, trees }: PathScratch<'_, T>,
         mut trails: Option<&mut [Trail; LANES]>,
         counts: &mut Counts,
     ) -> VectorLanes<T> {

@@ -38,7 +38,8 @@ impl TreeScratch {
     }
 }
 
-fn stacks() -> [Stack; GROUP] {
+/// A stack for each ray that takes turns.
+fn empty_stacks() -> [Stack; GROUP] {
     [const { Stack::new() }; GROUP]
 }
 
@@ -121,7 +122,7 @@ impl<T: Real> ClosestInTrees<'_, T> {
     {
         let Some(tree) = tree else { return };
         let Self { tables, rays, bundle, hits, scratch } = self;
-        let stacks = scratch.stacks.get_or_insert_with(stacks);
+        let stacks = scratch.stacks.get_or_insert_with(empty_stacks);
         let search: ClosestSearch<'_, T, C> = ClosestSearch { tables, tree, rays };
         let mut parties = Parties::of(tree, rays, bundle, &hits.t);
         while let Some(party) = parties.next() {
@@ -238,7 +239,7 @@ impl<T: Real> OcclusionByTrees<'_, T> {
         if *last != NO_ROW && !search.hide(*last, reach) {
             return;
         }
-        let stacks = scratch.stacks.get_or_insert_with(stacks);
+        let stacks = scratch.stacks.get_or_insert_with(empty_stacks);
         let mut parties = Parties::of(tree, segments, bundle, reach);
         while let Some(party) = parties.next() {
             let before = core::mem::replace(reach, party.reach);
