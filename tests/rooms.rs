@@ -76,6 +76,7 @@ const ROOMS: &[Room] = &[
             ("codespan_reporting", Only(&["problem.rs"])),
             ("unicode_width", Only(&["problem.rs"])),
             ("bevy_ecs", Only(&["spawn.rs"])),
+            ("rayon", Only(&["ahead.rs"])),
         ],
         rooms: &["components"],
         may: &[(FileSystem, Only(&["source.rs"])), (Tolerance, All)],

@@ -31,6 +31,21 @@ impl<'a> Lexer<'a> {
         Self { text, at: if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 } }
     }
 
+    /// The words behind the first line that ends in a range of bytes: nothing before it says whether they are a comment.
+    pub(super) fn after_line(text: &'a str, range: Range<usize>) -> Option<Self> {
+        let newline = text
+            .as_bytes()
+            .get(range.start..range.end.min(text.len()))?
+            .iter()
+            .position(|&byte| byte == b'\n')?;
+        Some(Self { text, at: range.start + newline + 1 })
+    }
+
+    /// Where the next character is, in bytes.
+    pub(super) fn at(&self) -> usize {
+        self.at
+    }
+
     /// The next character, and whether it is white space. Nearly all are ASCII and need no decoding.
     #[inline]
     fn character(&self) -> Option<(char, bool)> {

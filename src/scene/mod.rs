@@ -15,6 +15,7 @@
 //! Tokens are separated by white space, lines mean nothing, `#` starts a comment, and whatever follows the last
 //! number is ignored. What is wrong with a file is said with its place; nothing is guessed.
 
+mod ahead;
 mod description;
 mod lexer;
 mod parser;

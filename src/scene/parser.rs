@@ -6,11 +6,11 @@ use crate::components::range::{
     COEFFICIENT, COLOR, CUTOFF, FALLOFF, FIELD_OF_VIEW, LENGTH, MAX_LEVEL, MAX_PIXELS, RATIO, SHININESS,
 };
 
+use super::ahead::Ahead;
 use super::description::{
     BoardDescription, Description, LightDescription, ObjectDescription, ShapeDescription, SpotDescription,
     SurfaceDescription,
 };
-use super::lexer::Lexer;
 use super::problem::{Problem, quoted};
 use super::values::{Parser, Stop, is_number, is_object_word, rounded};
 use super::write::Number;
@@ -23,17 +23,7 @@ pub const MAX_LIGHTS: u32 = 10_000;
 /// Reads a scene. On success there may be warnings; on failure there is every problem that could be told apart
 /// from its consequences, at least one.
 pub fn parse(text: &str) -> Result<(Description, Vec<Problem>), Vec<Problem>> {
-    let mut parser = Parser {
-        text,
-        words: Lexer::new(text),
-        end: text.trim_end().len(),
-        last: 0..0,
-        announced: None,
-        in_list: false,
-        problems: Vec::new(),
-        warnings: Vec::new(),
-        unshown_warnings: 0,
-    };
+    let mut parser = Parser::new(text);
     match parser.file() {
         Ok(description) if parser.problems.is_empty() => Ok((description, parser.finished_warnings())),
         _ => Err(parser.problems),
@@ -81,7 +71,14 @@ impl Parser<'_> {
         let count = self.count("object", MAX_OBJECTS)?;
         // Grown as objects come: a count alone costs no memory.
         let mut objects = Vec::new();
-        for index in 1..=count {
+        let mut ahead = Ahead::read(self, count);
+        let mut index = 0;
+        while index < count {
+            if let Some(taken) = ahead.take(self, &mut objects, count - index) {
+                index += taken;
+                continue;
+            }
+            index += 1;
             match self.object(index, count) {
                 Ok(object) => objects.push(object),
                 Err(Stop::AtObject) => {}
@@ -99,7 +96,7 @@ impl Parser<'_> {
         }
     }
 
-    fn object(&mut self, index: u32, count: u32) -> Result<ObjectDescription, Stop> {
+    pub(super) fn object(&mut self, index: u32, count: u32) -> Result<ObjectDescription, Stop> {
         let Some(mut word) = self.next() else {
             return self.ended(&format!("object {index} of {count}"), "sphere, cube or pyramid");
         };

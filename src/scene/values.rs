@@ -53,6 +53,21 @@ pub(super) fn is_object_word(word: &str) -> bool {
 }
 
 impl<'a> Parser<'a> {
+    /// Before the first word.
+    pub(super) fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            words: Lexer::new(text),
+            end: text.trim_end().len(),
+            last: 0..0,
+            announced: None,
+            in_list: false,
+            problems: Vec::new(),
+            warnings: Vec::new(),
+            unshown_warnings: 0,
+        }
+    }
+
     /// Three coordinates; their names stand between `before` and `after`.
     pub(super) fn point(&mut self, before: impl Display, after: &str) -> Result<DVec3, Stop> {
         let mut coordinate = |axis| self.number(format_args!("{before}{axis}{after}"), &COORDINATE);
@@ -155,6 +170,10 @@ impl Parser<'_> {
         } else {
             self.unshown_warnings += 1;
         }
+    }
+
+    pub(super) fn has_nothing_to_say(&self) -> bool {
+        self.problems.is_empty() && self.warnings.is_empty()
     }
 
     pub(super) fn finished_warnings(mut self) -> Vec<Problem> {

@@ -9,6 +9,7 @@
 
 mod hostile;
 mod layout;
+mod long;
 mod mutant;
 mod mutations;
 mod numbers;
