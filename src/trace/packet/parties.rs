@@ -147,14 +147,14 @@ mod tests {
     use crate::geometry::{SphereShape, Vector};
     use crate::trace::{Kind, Sequential, ShapeColumns, SphereColumns};
 
-    /// A hundred and twenty-five spheres, so that leaves are much smaller than all of them.
+    /// So many spheres that leaves are much smaller than all of them.
     fn spheres() -> Tree<f64, SphereShape<f64>> {
         let mut spheres = SphereColumns::default();
-        for number in 0..125_u32 {
-            let at = |step: u32| f64::from(number / step % 5) * 50.0;
-            spheres.push(SphereShape { center: Vector::new(at(1), at(5), at(25)), radius: 1.0 });
+        for number in 0..512_u32 {
+            let at = |step: u32| f64::from(number / step % 8) * 50.0;
+            spheres.push(SphereShape { center: Vector::new(at(1), at(8), at(64)), radius: 1.0 });
         }
-        assert_eq!(spheres.len(), 125);
+        assert_eq!(spheres.len(), 512);
         Tree::build(&spheres, &Sequential).unwrap()
     }
 

@@ -23,7 +23,7 @@ const GROUP: usize = 16;
 pub(in crate::trace) struct TreeScratch {
     /// What trees are searched with.
     simd: Simd,
-    /// 64 KiB, which nobody clears where there is no tree.
+    /// 128 KiB, which nobody clears where there is no tree.
     stacks: Option<[Stack; GROUP]>,
     /// For some lights and each kind, the row that hid a light last: likely to hide it again.
     occluders: [[u32; 3]; LIGHTS],

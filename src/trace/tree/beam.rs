@@ -4,7 +4,7 @@ use crate::geometry::Real;
 
 use super::WIDTH;
 use super::fit::Node;
-use super::ray::{Eight, inverse, larger, slack, smaller};
+use super::ray::{Found, inverse, larger, slack, smaller};
 
 /// Rays that all go the same way along an axis.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +59,7 @@ impl<T: Real> Beam<T> {
     /// In which children any of the rays may meet something at up to a limit with slack, and where the first enters them.
     /// Rounding is as for one ray.
     #[inline(always)]
-    pub(super) fn enter(&self, node: &Node<T>, limit: T, found: &mut Eight<T>) {
+    pub(super) fn enter(&self, node: &Node<T>, limit: T, found: &mut Found<T>) {
         let [x, y, z] = &self.0;
         let bounds = &node.bounds;
         let (near_x, near_y, near_z) = (&bounds[x.near], &bounds[y.near], &bounds[z.near]);

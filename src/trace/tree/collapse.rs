@@ -1,10 +1,10 @@
-//! Which of the nodes with two children become nodes with eight: those that make the sum of the nodes' surfaces least, by
+//! Which of the nodes with two children become nodes with sixteen: those that make the sum of the nodes' surfaces least, by
 //! dynamic programming (H. Ylitie, T. Karras and S. Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
 //! Wide BVHs", High Performance Graphics 2017).
 //!
-//! Leaves are what they are, so the nodes are all that a choice can save. Always opening the largest part left the last
-//! level with two or three leaves a node: random rays among 1e3, 1e4 and 1e5 spheres looked at 4.8, 9.3 and 17.2 nodes,
-//! with the least surface at 3.9, 7.8 and 14.4.
+//! Leaves are what they are, so the nodes are all that a choice can save. With eight children a node, always opening the
+//! largest part left the last level with two or three leaves a node: random rays among 1e3, 1e4 and 1e5 spheres looked at
+//! 4.8, 9.3 and 17.2 nodes, with the least surface at 3.9, 7.8 and 14.4.
 
 use super::WIDTH;
 use super::build::{Fork, WORTH_A_THREAD, number};
@@ -12,6 +12,10 @@ use super::split::{Item, Range, split};
 
 /// Below so many splits halves are taken, so that no stack of a traversal overflows, see `STACK_SIZE`.
 const DEEP: u32 = 40;
+
+/// All children of a node.
+const ALL: u8 = 16;
+const _: () = assert!(ALL as usize == WIDTH);
 
 /// Items split in two until a leaf holds what is left.
 #[derive(Default)]
@@ -27,7 +31,7 @@ struct Part {
     count: u32,
     /// What they are split into, unless a leaf holds them.
     halves: Option<[u32; 2]>,
-    /// The least sum of surfaces of nodes when 1, 2 ... 8 or fewer children of a node hold the items.
+    /// The least sum of surfaces of nodes when 1, 2 ... 16 or fewer children of a node hold the items.
     cost: [f32; WIDTH],
     /// How many of these children the first half is given; none where all are one child.
     share: [u8; WIDTH],
@@ -94,7 +98,7 @@ impl Halving {
         halves.is_none().then(|| &items[first as usize..][..count as usize])
     }
 
-    /// The children of the node that a part becomes, up to eight.
+    /// The children of the node that a part becomes, up to sixteen.
     pub(super) fn children(&self, part: u32) -> impl Iterator<Item = u32> {
         let (mut children, mut count) = ([0; WIDTH], 0);
         let Part { halves, inner_share, .. } = self.parts[part as usize];
@@ -104,7 +108,7 @@ impl Halving {
                 count += 1;
             };
             self.collect(low, inner_share, &mut take);
-            self.collect(high, 8 - inner_share, &mut take);
+            self.collect(high, ALL - inner_share, &mut take);
         }
         children.into_iter().take(count)
     }

@@ -8,7 +8,7 @@ use crate::trace::ShapeColumns;
 use super::build::{Fork, Topology, fill};
 use super::{Child, Leaf, Packed, Tree, WIDTH};
 
-/// Eight children and their boxes, bound by bound: low x, y, z, high x, y, z.
+/// Sixteen children and their boxes, bound by bound: low x, y, z, high x, y, z.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct Node<T> {

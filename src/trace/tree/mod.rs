@@ -1,4 +1,4 @@
-//! A tree over the rows of one table, eight children a node, eight rows a leaf.
+//! A tree over the rows of one table, sixteen children a node, sixteen rows a leaf.
 //!
 //! It only says which rows a ray need not be tested against; the answer is that of the kernels, and of two equally near
 //! surfaces the one that comes first, whatever the tree looks like. Boxes are larger than their shapes by what the
@@ -32,7 +32,7 @@ pub(super) use stack::Stack;
 pub(super) use traverse::{BeamSearch, TreeSearch, Walk, Walks};
 
 /// Children of a node, and rows of a leaf.
-pub(super) const WIDTH: usize = 8;
+pub(super) const WIDTH: usize = 16;
 
 /// A table with fewer rows is searched row by row.
 pub const SMALLEST_TREE: usize = 24;
@@ -57,7 +57,7 @@ pub struct Tree<T: Real, S: Packed<T>> {
     rounding: T,
 }
 
-/// Eight rows and their shapes. Where there are fewer, the last one is repeated.
+/// Sixteen rows and their shapes. Where there are fewer, the last one is repeated.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 struct Leaf<B> {

@@ -1,12 +1,12 @@
-//! Eight shapes side by side.
+//! Sixteen shapes side by side.
 
 use crate::geometry::{Bounded, CubeShape, PyramidShape, Real, SphereShape, Straight, Vector};
 
 use super::WIDTH;
 
-/// A shape that a leaf can hold eight of.
+/// A shape that a leaf can hold sixteen of.
 pub trait Packed<T: Real>: Straight<T> + Bounded<T> + Send + Sync {
-    /// Eight shapes, number by number.
+    /// Sixteen shapes, number by number.
     type Block: Copy + Send + Sync + core::fmt::Debug;
 
     /// Packs shapes.
@@ -16,7 +16,7 @@ pub trait Packed<T: Real>: Straight<T> + Bounded<T> + Send + Sync {
     fn unpack(block: &Self::Block, slot: usize) -> Self;
 }
 
-/// Numbers of eight shapes, `N` each.
+/// Numbers of sixteen shapes, `N` each.
 type Columns<T, const N: usize> = [[T; WIDTH]; N];
 
 impl<T: Real> Packed<T> for SphereShape<T> {

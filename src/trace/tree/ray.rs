@@ -22,10 +22,10 @@ pub(in crate::trace) struct TreeRay<T> {
     pub(super) inverse_square: T,
 }
 
-/// What a ray found in a node or a leaf. It lies in memory and not in registers: stores of eight numbers side by side are
-/// what makes a compiler do eight at a time.
+/// What a ray found in a node or a leaf. It lies in memory and not in registers: stores of many numbers side by side
+/// are what makes a compiler do many at a time.
 #[derive(Clone, Debug)]
-pub(super) struct Eight<T> {
+pub(super) struct Found<T> {
     /// Where each child is entered, or each shape met.
     pub(super) distances: [T; WIDTH],
     /// 1 for each that counts.
@@ -34,19 +34,19 @@ pub(super) struct Eight<T> {
     pub(super) faces: [u32; WIDTH],
 }
 
-impl<T: Real> Eight<T> {
+impl<T: Real> Found<T> {
     pub(super) const NONE: Self = Self { distances: [T::ZERO; WIDTH], flags: [0; WIDTH], faces: [0; WIDTH] };
 
     /// The numbers of those that count, the least first.
     #[inline(always)]
     pub(super) fn counted(&self) -> Slots {
-        Slots(u64::from_le_bytes(self.flags))
+        Slots(u128::from_le_bytes(self.flags))
     }
 }
 
 /// Numbers of children or shapes, a byte each.
 #[derive(Clone, Copy)]
-pub(super) struct Slots(u64);
+pub(super) struct Slots(u128);
 
 impl Slots {
     #[inline(always)]
@@ -128,7 +128,7 @@ impl<T: Real> TreeRay<T> {
     /// A bound of a slab is one subtraction, one inverse and one product: wrong by less than two units in the last
     /// place. The slack is eight, on the far side.
     #[inline(always)]
-    pub(super) fn enter(&self, node: &Node<T>, limit: T, found: &mut Eight<T>) {
+    pub(super) fn enter(&self, node: &Node<T>, limit: T, found: &mut Found<T>) {
         let (bounds, near, far) = (&node.bounds, self.near, self.far);
         let (near_x, near_y, near_z) = (&bounds[near[0]], &bounds[near[1]], &bounds[near[2]]);
         let (far_x, far_y, far_z) = (&bounds[far[0]], &bounds[far[1]], &bounds[far[2]]);

@@ -4,11 +4,11 @@ use crate::geometry::Real;
 
 use super::WIDTH;
 use super::fit::Node;
-use super::ray::{Eight, Slots};
+use super::ray::{Found, Slots};
 
-/// Seven children a level and one more: no tree has as many levels as this asks. Each takes one of the splits of its rows at
+/// Fifteen children a level and one more: no tree has as many levels as this asks. Each takes one of the splits of its rows at
 /// least, of which there are at most `DEEP` in `collapse.rs`, and then one for each time that 2^30 rows can be halved.
-const STACK_SIZE: usize = 512;
+const STACK_SIZE: usize = 1024;
 
 /// A child and where the ray enters it, in one number that is the less the nearer it is.
 ///
@@ -25,7 +25,7 @@ impl Entry {
 
     /// The first of the children that are left, of at least one.
     #[inline(always)]
-    fn take<T: Real>(node: &Node<T>, found: &Eight<T>, left: &mut Slots) -> Self {
+    fn take<T: Real>(node: &Node<T>, found: &Found<T>, left: &mut Slots) -> Self {
         let slot = left.take();
         Self::new(found.distances[slot], node.children[slot % WIDTH])
     }
@@ -69,7 +69,7 @@ impl Stack {
     pub(super) fn push<T: Real, const SORTED: bool>(
         &mut self,
         node: &Node<T>,
-        found: &Eight<T>,
+        found: &Found<T>,
         height: &mut usize,
     ) -> u32 {
         let (mut left, base) = (found.counted(), *height);

@@ -1,11 +1,11 @@
-//! Rays down a tree, eight boxes or eight shapes at a time.
+//! Rays down a tree, sixteen boxes or sixteen shapes at a time.
 
 use crate::geometry::{Meeting, Real};
 use crate::trace::hit::FaceCode;
 
 use super::beam::Beam;
 use super::prefetch::prefetch;
-use super::ray::{Eight, TreeRay, slack};
+use super::ray::{Found, TreeRay, slack};
 use super::stack::Stack;
 use super::{Child, Leaf, NO_ROW, Packed, Tree, WIDTH};
 
@@ -29,7 +29,7 @@ pub(in crate::trace) trait BeamSearch<T: Real, S> {
     /// How far any of the rays still looks; below 0 once the search is over.
     fn reach(&self) -> T;
 
-    /// Whether any of the rays may meet a shape: asked of eight, one after the other.
+    /// Whether any of the rays may meet a shape: asked of sixteen, one after the other.
     fn may_meet(&self, shape: &S) -> bool;
 
     /// Told of a shape that they may meet, and its row.
@@ -103,7 +103,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         walk: &mut Walk<T, Q>,
         stack: &mut Stack,
     ) {
-        let (mut place, mut found) = (walk.place, Eight::NONE);
+        let (mut place, mut found) = (walk.place, Found::NONE);
         let Walk { ray, departed, search, .. } = walk;
         while self.step::<SORTED, Q>(ray, *departed, search, &mut place, stack, &mut found) {}
     }
@@ -134,7 +134,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
     ) {
         let Some(first) = rays.start() else { return };
         let mut walks = [first; GROUP];
-        let (mut active, mut found) = (1_u32, Eight::NONE);
+        let (mut active, mut found) = (1_u32, Found::NONE);
         for place in &mut walks[1..] {
             let Some(walk) = rays.start() else { break };
             *place = walk;
@@ -175,7 +175,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         search: &mut impl BeamSearch<T, S>,
     ) {
         let mut place = Place { code: 0, height: 0, limit: search.reach() * slack() };
-        let mut found = Eight::NONE;
+        let mut found = Found::NONE;
         loop {
             if place.code & Child::LEAF == 0 {
                 let node = &self.nodes[place.code as usize];
@@ -218,7 +218,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         search: &mut Q,
         place: &mut Place<T>,
         stack: &mut Stack,
-        found: &mut Eight<T>,
+        found: &mut Found<T>,
     ) -> bool {
         if place.code & Child::LEAF == 0 {
             let node = &self.nodes[place.code as usize];
@@ -255,7 +255,7 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         ray: &TreeRay<T>,
         departed: u32,
         search: &mut impl TreeSearch<T>,
-        found: &mut Eight<T>,
+        found: &mut Found<T>,
     ) {
         let reach = search.reach();
         // A ray that leaves one of the shapes comes near it, of course.
