@@ -59,11 +59,11 @@ impl<T: Real> Paths<'_, T> {
         let mut weight: Option<Lanes<T>> = None;
         // In place: a copy, and mirror rays counted lane by lane, were half of what mirrors cost scenes without any.
         let Departing { start, direction, reach } = departing;
-        let mut cluster = Cluster::of(&start.point, reach);
+        // Before the loop, and again at its end: at its start, scenes without mirrors paid 1 % for those that might be there.
+        let mut bundle = Bundle::of_rays(&Cluster::of(&start.point, reach), direction, reach);
         let mut shadow_rays = LaneCounts::NONE;
         for remaining in (0..self.level).rev() {
             // 1. What the rays meet. A lane that meets nothing has nothing more to do.
-            let bundle = Bundle::of_rays(&cluster, direction, reach);
             let candidates = self.bounds.near(&bundle);
             let rays = RayLanes { start, direction };
             let hits = closest(self.tables, &rays, reach, &bundle, &candidates, trees);
@@ -83,7 +83,7 @@ impl<T: Real> Paths<'_, T> {
                 let is_active = hits.name[lane] != ObjectId::NOBODY;
                 reach[lane] = if is_active { T::INFINITY } else { nowhere() };
             }
-            cluster = Cluster::of(&surface.start.point, reach);
+            let cluster = Cluster::of(&surface.start.point, reach);
             // 3. The light there.
             let lighting = Lighting {
                 tables: self.tables,
@@ -103,8 +103,9 @@ impl<T: Real> Paths<'_, T> {
             if going_on == 0 {
                 break;
             }
-            counts.rays.mirror += u64::from(going_on);
+            bundle = Bundle::of_rays(&cluster, direction, reach);
             *start = surface.start;
+            counts.rays.mirror += u64::from(going_on);
         }
         counts.rays.shadow += shadow_rays.sum();
         sum
