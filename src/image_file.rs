@@ -4,7 +4,9 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::{Path, PathBuf};
 
-use image::{DynamicImage, ImageFormat, ImageReader, Limits, RgbImage};
+use image::codecs::bmp::BmpEncoder;
+use image::codecs::png::PngEncoder;
+use image::{ImageFormat, ImageReader, Limits, RgbImage};
 use thiserror::Error;
 
 use crate::components::Texture;
@@ -63,9 +65,12 @@ pub fn encode_rgb8(side: u32, rgb: Vec<u8>, path: &Path) -> Result<Vec<u8>, Imag
     // Of a BMP nothing is moved then; a PNG is smaller.
     let mut bytes = Vec::with_capacity(rgb.len() + HEADERS);
     let image = RgbImage::from_raw(side, side, rgb).unwrap_or_default();
-    DynamicImage::ImageRgb8(image)
-        .write_to(&mut Cursor::new(&mut bytes), format)
-        .map_err(|error| ImageFileError::Encode(path.to_owned(), error))?;
+    let encoded = match format {
+        // Straight into memory: through a writer that can seek, a pixel after the other takes a tenth longer.
+        ImageFormat::Bmp => image.write_with_encoder(BmpEncoder::new(&mut bytes)),
+        _ => image.write_with_encoder(PngEncoder::new(&mut bytes)),
+    };
+    encoded.map_err(|error| ImageFileError::Encode(path.to_owned(), error))?;
     Ok(bytes)
 }
 

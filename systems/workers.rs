@@ -54,6 +54,11 @@ impl Workers {
         Kernel::smallest_for(effects.union(self.least.effects()))
     }
 
+    /// Does work whose parts rayon is to give to these threads.
+    pub fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
+    }
+
     /// Number of threads.
     pub fn threads(&self) -> usize {
         self.pool.current_num_threads()

@@ -93,7 +93,7 @@ const ROOMS: &[Room] = &[
         rooms: &["components", "effects", "film", "geometry", "trace"],
         may: &[(Tolerance, All)],
     },
-    Room { place: "src/film.rs", crates: &[], rooms: &["effects", "large_pages"], may: &[] },
+    Room { place: "src/film.rs", crates: &[("rayon", All)], rooms: &["effects", "large_pages"], may: &[] },
     Room { place: "src/large_pages.rs", crates: &[("rustix", All)], rooms: &[], may: &[] },
     Room {
         place: "src/image_file.rs",

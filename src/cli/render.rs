@@ -117,7 +117,8 @@ impl Job<'_> {
             FrameError::Cancelled => interrupted(&args.output),
             error => error.into(),
         })?;
-        let picture = encode(film, &args.output)?;
+        let workers = world.resource::<Workers>();
+        let picture = workers.run(|| encode(film, &args.output))?;
         if stop.load(Ordering::Relaxed) {
             return Err(interrupted(&args.output));
         }
@@ -131,7 +132,7 @@ impl Job<'_> {
             say(&format!("warning: {} samples had no finite radiance and are black", counts.non_finite));
         }
         if let Some(path) = &args.stats {
-            let threads = world.resource::<Workers>().threads();
+            let threads = workers.threads();
             let tables = world.resource::<Tables<T>>();
             let samples = frame.refinement().map(Refinement::mean_samples);
             let stats = Stats::new((setting, samples), threads, phases, counts, tables);

@@ -192,7 +192,7 @@ impl<'a> Job<'a> {
     fn picture(&self, film: &Film, samples: u32, tally: Tally) -> Shown {
         Shown {
             side: film.side(),
-            rgb8: film.mean_to_rgb8(samples),
+            rgb8: self.workers.run(|| film.mean_to_rgb8(samples)),
             shows: self.request.shows,
             samples,
             is_final: false,
