@@ -6,8 +6,8 @@ use super::WIDTH;
 use super::fit::Node;
 use super::ray::{Found, Slots};
 
-/// Fifteen children a level and one more: no tree has as many levels as this asks. Each takes one of the splits of its rows at
-/// least, of which there are at most `DEEP` in `collapse.rs`, and then one for each time that 2^30 rows can be halved.
+/// Fifteen children a level and one more: no tree has as many levels as this asks. Each takes one of the splits of its rows
+/// at least, of which there are at most `DEEP` in `collapse.rs`, and then one for each time that 2^30 rows can be halved.
 const STACK_SIZE: usize = 1024;
 
 /// A child and where the ray enters it, in one number that is the less the nearer it is.
