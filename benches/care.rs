@@ -101,7 +101,7 @@ impl<T: Real> Naive<'_, T> {
         let surface = self.surface(body, point);
         let mirrored = reflect(ray.direction, normal);
         let local = self.light(point, normal, mirrored, &surface);
-        match surface.mirror.filter(|_| level > 1) {
+        match surface.effects.mirror.filter(|_| level > 1) {
             None => local,
             Some(share) => {
                 let onwards = Ray { origin: point, direction: mirrored };
@@ -121,18 +121,21 @@ impl<T: Real> Naive<'_, T> {
         for row in 0..self.tables.lights.len() {
             let light = self.tables.lights.row(row);
             let segment = light.position - point;
-            if segment.dot(normal) <= T::ZERO || light.cone.is_some_and(|cone| !cone.contains(-segment)) {
+            if segment.dot(normal) <= T::ZERO
+                || light.effects.spot_cone.is_some_and(|cone| !cone.contains(-segment))
+            {
                 continue;
             }
             let distance = segment.length();
-            let scale = light.falloff.map_or(T::ONE, |falloff| attenuation(segment.dot(segment), falloff));
+            let scale =
+                light.effects.falloff.map_or(T::ONE, |falloff| attenuation(segment.dot(segment), falloff));
             let to_light = segment / distance;
             let shadow = Ray { origin: point, direction: to_light };
             if scale == T::ZERO || self.is_occluded(&shadow, distance - Self::near()) {
                 continue;
             }
             diffuse += lambert(to_light, normal) * scale;
-            if let Some(gloss) = surface.gloss {
+            if let Some(gloss) = surface.effects.gloss {
                 specular += gloss.specular * phong(mirrored, to_light, gloss.shininess) * scale;
             }
         }

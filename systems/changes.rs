@@ -8,13 +8,40 @@
 use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 
-use crate::components::{
-    Absorption, Ambient, AreaLight, Background, CheckerFilter, Color, Diffuse, Directional, Falloff, Fog,
-    Glass, Gloss, Light, LightColor, Mirror, Order, Position, SpotCone, TextureFilter, Textured,
-};
+use crate::components::{self, Ambient, Color, Diffuse, Light, Order, Position};
+use crate::effects::survey;
 use crate::geometry::Real;
 
 use super::{Muted, Tables};
+
+/// Defines what tells that components in some lines of the survey changed, came or went.
+macro_rules! define_looks {
+    ($changed:ident $counted:ident $differ:ident
+        { $($effect:ident $name:ident: $component:ident [$($stage:ident)*] $what:literal;)* }) => {
+        type $changed = Or<($(Changed<components::$component>,)*)>;
+
+        /// How many entities of a kind have each component.
+        type $counted<'w, 's, S> = ($(Living<'w, 's, S, components::$component>,)*);
+
+        /// Whether any is another than at the last look. Every one is taken, so that none is compared with one from longer
+        /// ago.
+        fn $differ<S: Component>(($($name,)*): &mut $counted<S>) -> bool {
+            [$($name.differ(),)*].contains(&true)
+        }
+    };
+}
+
+macro_rules! define_gain {
+    ($gained:ident { $($effect:ident $name:ident: $component:ident [$($stage:ident)*] $what:literal;)* }) => {
+        type $gained = Or<($(Added<components::$component>,)*)>;
+    };
+}
+
+survey!(surfaces, define_looks SurfaceChange CountedOnSurfaces surfaces_differ);
+survey!(surfaces, define_gain SurfaceGain);
+survey!(boards, define_looks BoardChange CountedOnBoards boards_differ);
+survey!(boards, define_gain BoardGain);
+survey!(lights, define_looks LightEffectChange CountedOnLights lights_differ);
 
 pub(super) type ObjectChange<S> = Or<(
     Changed<S>,
@@ -22,14 +49,9 @@ pub(super) type ObjectChange<S> = Or<(
     Changed<Color>,
     Changed<Ambient>,
     Changed<Diffuse>,
-    Changed<Gloss>,
-    Changed<Mirror>,
-    Changed<Glass>,
-    Changed<Absorption>,
-    Changed<Textured>,
-    Changed<TextureFilter>,
-    Changed<CheckerFilter>,
     Changed<Order>,
+    SurfaceChange,
+    BoardChange,
 )>;
 
 /// What came to an object since the last look; a value that was replaced did not.
@@ -39,30 +61,12 @@ pub(super) type ObjectGain<S> = Or<(
     Added<Color>,
     Added<Ambient>,
     Added<Diffuse>,
-    Added<Gloss>,
-    Added<Mirror>,
-    Added<Glass>,
-    Added<Absorption>,
-    Added<Textured>,
-    Added<TextureFilter>,
-    Added<CheckerFilter>,
     Added<Order>,
+    SurfaceGain,
+    BoardGain,
 )>;
 
-type LightChange = Or<(
-    Changed<Light>,
-    Changed<Position>,
-    Changed<Falloff>,
-    Changed<SpotCone>,
-    Changed<LightColor>,
-    Changed<Directional>,
-    Changed<AreaLight>,
-    Changed<Order>,
-)>;
-
-type Air = Or<(With<Background>, With<Fog>)>;
-
-type AirChange = Or<(Changed<Background>, Changed<Fog>)>;
+type LightChange = Or<(Changed<Light>, Changed<Position>, Changed<Order>, LightEffectChange)>;
 
 /// What an object cannot be traced without.
 type Needed<'w, 's, S> = (
@@ -85,9 +89,8 @@ pub(super) fn objects_changed<S: Component>(
 pub(super) struct Census<'w, 's, S: Component> {
     objects: Living<'w, 's, S, S>,
     needed: Needed<'w, 's, S>,
-    effects: (Living<'w, 's, S, Gloss>, Living<'w, 's, S, Mirror>, Living<'w, 's, S, Textured>),
-    filters: (Living<'w, 's, S, TextureFilter>, Living<'w, 's, S, CheckerFilter>),
-    glasses: (Living<'w, 's, S, Glass>, Living<'w, 's, S, Absorption>),
+    on_surfaces: CountedOnSurfaces<'w, 's, S>,
+    on_boards: CountedOnBoards<'w, 's, S>,
     orders: Living<'w, 's, S, Order>,
     /// Absent in a World that is only drawn.
     muted: Option<Res<'w, Muted>>,
@@ -98,21 +101,13 @@ impl<S: Component> Census<'_, '_, S> {
     /// longer ago: hence `|`, not `||`.
     pub(super) fn differs(&mut self) -> bool {
         let (positions, colors, ambients, diffuses) = &mut self.needed;
-        let (gloss, mirrors, textures) = &mut self.effects;
-        let (texture_filters, checker_filters) = &mut self.filters;
-        let (glass, absorptions) = &mut self.glasses;
         self.objects.differ()
             | positions.differ()
             | colors.differ()
             | ambients.differ()
             | diffuses.differ()
-            | gloss.differ()
-            | mirrors.differ()
-            | textures.differ()
-            | texture_filters.differ()
-            | checker_filters.differ()
-            | glass.differ()
-            | absorptions.differ()
+            | surfaces_differ(&mut self.on_surfaces)
+            | boards_differ(&mut self.on_boards)
             | self.orders.differ()
             | is_changed(self.muted.as_ref())
     }
@@ -123,21 +118,14 @@ pub(super) fn lights_changed(
     changed: Query<(), (With<Light>, LightChange)>,
     mut lights: Living<Light, Light>,
     mut positions: Living<Light, Position>,
-    mut narrowing: (Living<Light, Falloff>, Living<Light, SpotCone>),
-    mut other: (Living<Light, LightColor>, Living<Light, Directional>, Living<Light, AreaLight>),
+    mut on_lights: CountedOnLights<Light>,
     mut orders: Living<Light, Order>,
     muted: Option<Res<Muted>>,
 ) -> bool {
-    let (falloffs, cones) = &mut narrowing;
-    let (colors, directions, balls) = &mut other;
     !changed.is_empty()
         | lights.differ()
         | positions.differ()
-        | falloffs.differ()
-        | cones.differ()
-        | colors.differ()
-        | directions.differ()
-        | balls.differ()
+        | lights_differ(&mut on_lights)
         | orders.differ()
         | is_changed(muted.as_ref())
 }
@@ -146,17 +134,34 @@ fn is_changed(muted: Option<&Res<Muted>>) -> bool {
     muted.is_some_and(Res::is_changed)
 }
 
-/// Whether background or fog are out of date. While nobody asks for any and none is left in the tables, they are not.
+macro_rules! define_look_at_air {
+    ({ $($effect:ident $name:ident: $component:ident [$($stage:ident)*] $what:literal;)* }) => {
+        type Air = Or<($(With<components::$component>,)*)>;
+
+        type AirChange = Or<($(Changed<components::$component>,)*)>;
+
+        /// How many entities have each component.
+        type CountedInAir<'w, 's> = ($(Living<'w, 's, components::$component, components::$component>,)*);
+
+        fn air_differs(($($name,)*): &mut CountedInAir) -> bool {
+            [$($name.differ(),)*].contains(&true)
+        }
+    };
+}
+
+survey!(air, define_look_at_air);
+
+/// Whether what surrounds the objects is out of date. While nobody asks for any of it and none is left in the tables, it is
+/// not.
 pub(super) fn air_changed<T: Real>(
     changed: Query<(), AirChange>,
     all: Query<(), Air>,
-    mut backgrounds: Living<Background, Background>,
-    mut fogs: Living<Fog, Fog>,
+    mut counted: CountedInAir,
     (muted, tables): (Res<Muted>, Res<Tables<T>>),
 ) -> bool {
     let is_left_over = all.is_empty() && !tables.scene.air.is_empty();
     let is_switched = muted.is_changed() && !all.is_empty();
-    !changed.is_empty() | backgrounds.differ() | fogs.differ() | is_left_over | is_switched
+    !changed.is_empty() | air_differs(&mut counted) | is_left_over | is_switched
 }
 
 /// Whether a table of objects is out of date, as those say who measured them.

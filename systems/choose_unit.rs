@@ -6,14 +6,14 @@ use bevy_ecs::prelude::*;
 use bevy_ecs::system::SystemParam;
 use glam::DVec3;
 
-use crate::components::range::{COORDINATE, LENGTH};
+use crate::components::range::{COORDINATE, EXTENT, LENGTH};
 use crate::components::{
-    Aperture, AreaLight, CameraPose, Checkerboard, Cube, Directional, Lens, Light, Position, Pyramid,
-    Shutter, Sphere, SpotCone, Velocity,
+    CameraPose, Checkerboard, Cube, Lens, Light, Position, Pyramid, Shutter, Sphere, Velocity,
 };
-use crate::effects::Effect;
+use crate::effects::{Effect, Number};
 use crate::geometry::{Real, Unit};
 
+use super::carried::{CameraCarried, CameraData, LightCarried, LightData};
 use super::problem::{Measure, WorldProblem};
 use super::shape_tables::Shape;
 use super::{Muted, Tables};
@@ -48,22 +48,14 @@ pub(super) fn choose_unit<T: Real>(lengths: Lengths, mut tables: ResMut<Tables<T
 }
 
 type Objects<'w, 's, S> = Query<'w, 's, (Entity, &'static S, &'static Position)>;
-type LightData = (
-    Entity,
-    &'static Position,
-    Option<&'static SpotCone>,
-    Option<&'static AreaLight>,
-    Option<&'static Directional>,
-);
-type CameraData =
-    (Entity, &'static CameraPose, &'static Lens, Option<&'static Aperture>, Option<&'static Shutter>);
+type SeenFrom = (Entity, &'static CameraPose, &'static Lens, Option<&'static Shutter>, CameraData);
 type AnyShape = Or<(With<Sphere>, With<Cube>, With<Pyramid>, With<Checkerboard>)>;
 
 /// Whatever has a length that the trace computes with, but for objects.
 #[derive(SystemParam)]
 pub(super) struct Lengths<'w, 's> {
-    lights: Query<'w, 's, LightData, With<Light>>,
-    cameras: Query<'w, 's, CameraData>,
+    lights: Query<'w, 's, (Entity, &'static Position, LightData), With<Light>>,
+    cameras: Query<'w, 's, SeenFrom>,
     velocities: Query<'w, 's, (Entity, &'static Velocity), AnyShape>,
     muted: Res<'w, Muted>,
 }
@@ -77,27 +69,22 @@ impl Lengths<'_, '_> {
     }
 
     fn lights(&self, extremes: &mut Extremes) {
-        for (entity, position, cone, area, directional) in &self.lights {
-            if self.muted.hear(Effect::Directional, directional).is_some() {
-                continue;
-            }
-            extremes.point(entity, "Position", position.0);
-            if let Some(cone) = self.muted.hear(Effect::SpotCone, cone) {
-                extremes.point(entity, "SpotCone.target", cone.target);
-            }
-            if let Some(area) = self.muted.hear(Effect::AreaLight, area) {
-                extremes.extent(entity, "AreaLight.radius", area.radius);
+        for (entity, position, carried) in &self.lights {
+            let carried = LightCarried::found(carried).without(*self.muted);
+            // One that is infinitely far away has no length.
+            if carried.directional.is_none() {
+                extremes.point(entity, "Position", position.0);
+                carried.each_number(|number| extremes.number(entity, number));
             }
         }
     }
 
     fn cameras(&self, extremes: &mut Extremes) {
-        for (entity, pose, lens, aperture, shutter) in &self.cameras {
+        for (entity, pose, lens, shutter, carried) in &self.cameras {
             extremes.point(entity, "CameraPose.position", pose.position);
             extremes.length(entity, "Lens.near", lens.near);
-            if let Some(aperture) = self.muted.hear(Effect::Aperture, aperture) {
-                extremes.length(entity, "Aperture.focus", aperture.focus);
-            }
+            let carried = CameraCarried::found(carried).without(*self.muted);
+            carried.each_number(|number| extremes.number(entity, number));
             if let Some(shutter) = self.muted.hear(Effect::MotionBlur, shutter) {
                 self.ways(*shutter, extremes);
             }
@@ -144,6 +131,15 @@ impl Extremes {
 
     fn point(&mut self, entity: Entity, value: &'static str, point: DVec3) {
         self.extent(entity, value, point.abs().max_element());
+    }
+
+    /// A number of an effect, if it is a length.
+    fn number(&mut self, entity: Entity, Number { name, found, allowed }: Number) {
+        if *allowed == LENGTH {
+            self.length(entity, name, found);
+        } else if *allowed == EXTENT || *allowed == COORDINATE {
+            self.extent(entity, name, found.abs());
+        }
     }
 
     /// A length that may be 0, or any part of another.

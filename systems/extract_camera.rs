@@ -2,39 +2,32 @@
 
 use bevy_ecs::prelude::*;
 
-use crate::components::range::{
-    FIELD_OF_VIEW, LENGTH, MAX_GRID, MAX_LEVEL, MAX_PIXELS, OPENING, RATIO, SECONDS, STOPS,
-};
-use crate::components::{
-    Aperture, CameraPose, ExposureStops, Lens, Sampling, Shutter, Snapshot, SrgbTransfer,
-};
-use crate::effects::{Effect, Transfer};
+use crate::components::range::{FIELD_OF_VIEW, LENGTH, MAX_GRID, MAX_LEVEL, MAX_PIXELS, RATIO, SECONDS};
+use crate::components::{CameraPose, Lens, Sampling, Shutter, Snapshot};
+use crate::effects::{Bearer, Effect};
 use crate::geometry::{Real, is_camera_basis};
 use crate::trace::{CameraEffects, CameraRays};
 
+use super::carried::{CameraCarried, CameraData};
 use super::problem::{Checks, WorldProblem};
 use super::{Muted, Tables};
 
-/// What makes a camera more than a pinhole.
-type EffectData =
-    (Option<&'static Aperture>, Option<&'static Shutter>, Option<&'static ExposureStops>, Has<SrgbTransfer>);
-/// The same of one camera.
-type Effects<'w> = (Option<&'w Aperture>, Option<&'w Shutter>, Option<&'w ExposureStops>, bool);
-
 /// Sets up the rays of the one camera there must be, for the size of the snapshot.
 pub(super) fn extract_camera<T: Real>(
-    cameras: Query<(Entity, &CameraPose, &Lens, EffectData)>,
+    cameras: Query<(Entity, &CameraPose, &Lens, Option<&Shutter>, CameraData)>,
     (snapshot, sampling, muted): (Res<Snapshot>, Res<Sampling>, Res<Muted>),
     mut tables: ResMut<Tables<T>>,
 ) {
     let mut checks = Checks::default();
     check_settings(&snapshot, &sampling, &mut checks);
     tables.camera = match cameras.single() {
-        Ok((entity, pose, lens, effects)) => {
+        Ok((entity, pose, lens, shutter, carried)) => {
+            let carried = CameraCarried::found(carried);
             check_camera(entity, pose, lens, &mut checks);
-            check_effects(entity, effects, &mut checks);
+            carried.check(entity, &mut checks);
+            check_shutter(entity, shutter, &mut checks);
             let rays = CameraRays::in_unit(pose, lens, snapshot.pixels, tables.scene.unit);
-            checks.problems.is_empty().then(|| rays.with_effects(visible(effects, *muted)))
+            checks.problems.is_empty().then(|| rays.with_effects(visible(shutter, carried, *muted)))
         }
         Err(_) => {
             checks.problems.push(WorldProblem::Cameras { found: cameras.iter().len() });
@@ -74,20 +67,12 @@ fn check_camera(entity: Entity, pose: &CameraPose, lens: &Lens, checks: &mut Che
     checks.value(entity, "Lens.fovy * aspect", lens.fovx(), &FIELD_OF_VIEW);
 }
 
-fn check_effects(entity: Entity, (aperture, shutter, exposure, _): Effects<'_>, checks: &mut Checks) {
-    if let Some(aperture) = aperture {
-        checks.value(entity, "Aperture.focus", aperture.focus, &LENGTH);
-        checks.value(entity, "Aperture.radius / focus", aperture.radius / aperture.focus, &OPENING);
-    }
-    if let Some(&Shutter { open, close }) = shutter {
-        checks.value(entity, "Shutter.open", open, &SECONDS);
-        checks.value(entity, "Shutter.close", close, &SECONDS);
-        if close < open {
-            checks.problems.push(WorldProblem::ShutterOrder { entity, open, close });
-        }
-    }
-    if let Some(exposure) = exposure {
-        checks.value(entity, "ExposureStops", exposure.0, &STOPS);
+fn check_shutter(entity: Entity, shutter: Option<&Shutter>, checks: &mut Checks) {
+    let Some(&Shutter { open, close }) = shutter else { return };
+    checks.value(entity, "Shutter.open", open, &SECONDS);
+    checks.value(entity, "Shutter.close", close, &SECONDS);
+    if close < open {
+        checks.problems.push(WorldProblem::ShutterOrder { entity, open, close });
     }
 }
 
@@ -95,12 +80,9 @@ fn check_effects(entity: Entity, (aperture, shutter, exposure, _): Effects<'_>, 
 const STILL: Shutter = Shutter { open: 0.0, close: 0.0 };
 
 /// The effects that are not switched off, without those that would show nothing.
-fn visible((aperture, shutter, exposure, srgb): Effects<'_>, muted: Muted) -> CameraEffects {
-    let transfer = srgb.then_some(Transfer::Srgb);
+fn visible(shutter: Option<&Shutter>, carried: CameraCarried, muted: Muted) -> CameraEffects {
     CameraEffects {
-        aperture: muted.hear(Effect::Aperture, aperture.copied()).filter(|aperture| aperture.radius != 0.0),
+        rows: carried.without(muted).rows::<f64>(&Bearer::default()),
         shutter: muted.hear(Effect::MotionBlur, shutter.copied()).filter(|&shutter| shutter != STILL),
-        exposure: muted.hear(Effect::Exposure, exposure.copied()).filter(|exposure| exposure.0 != 0.0),
-        transfer: muted.hear(Effect::Srgb, transfer).unwrap_or_default(),
     }
 }

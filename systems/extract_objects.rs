@@ -67,7 +67,7 @@ fn replace_rows<T: Real, S: ExtractShape<T>>(edits: &Edits<S>, muted: Muted, tab
         object.check(&mut checks);
         let object = object.in_unit(unit);
         let is_replaced = checks.problems.is_empty()
-            && table.surfaces.replace(row, object.surface())
+            && table.surfaces.replace(row, object.surface(unit))
             && object.shape.replace(&mut table.shapes, row, object.position);
         if !is_replaced {
             return false;
@@ -112,9 +112,9 @@ fn rebuild<T: Real, S: ExtractShape<T>>(
         entities.push(row.entity);
         row.check(&mut checks);
         let row = row.in_unit(unit);
-        row.shape.push(&mut table.shapes, row.position, row.paint());
+        row.shape.push(&mut table.shapes, row.position, || row.on_cells(unit));
         table.order.push(row.order);
-        table.surfaces.push(row.surface());
+        table.surfaces.push(row.surface(unit));
     }
     table.shrink_to_fit();
     tables.entities.insert(S::Columns::KIND, entities);

@@ -76,7 +76,7 @@ impl ListShape for Pyramid {
 impl ListShape for Checkerboard {
     fn list(rows: Vec<ObjectRow<Self>>, list: &mut DrawList) {
         let boards: Vec<(Placed<Self>, Option<Textured>)> =
-            rows.into_iter().map(|row| (placed(&row), row.textured)).collect();
+            rows.into_iter().map(|row| (placed(&row), row.on_board.texture)).collect();
         list.set_boards(&boards);
     }
 }

@@ -24,6 +24,7 @@
 //! is a schedule of its own and reads neither tables nor film. Systems touch no file and hold no arithmetic.
 
 mod build_trees;
+mod carried;
 mod changes;
 mod choose_unit;
 mod control_camera;

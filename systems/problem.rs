@@ -7,7 +7,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::components::range::{COORDINATE, Range};
-use crate::effects::{Effect, EffectSet};
+use crate::effects::{Effect, EffectComponent, EffectSet, Number};
 
 /// A number as one writes it: with an exponent in place of dozens of zeros.
 fn short(value: f64) -> String {
@@ -177,6 +177,13 @@ impl Checks {
     pub(super) fn value(&mut self, entity: Entity, value: &'static str, found: f64, range: &Range) {
         if !range.contains(found) {
             self.problems.push(WorldProblem::Value { entity, value, found, allowed: range.words });
+        }
+    }
+
+    /// All numbers of a component in their ranges.
+    pub(super) fn numbers(&mut self, entity: Entity, component: &impl EffectComponent) {
+        for Number { name, found, allowed } in component.numbers() {
+            self.value(entity, name, found, allowed);
         }
     }
 

@@ -1,16 +1,13 @@
 //! Which shape goes to which table.
 
-use std::sync::Arc;
-
 use bevy_ecs::prelude::*;
 use glam::DVec3;
 
-use crate::components::{Checkerboard, Cube, Pyramid, Sphere, TextureFilter, Textured};
-use crate::effects::MipChain;
+use crate::components::{Checkerboard, Cube, Pyramid, Sphere};
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Unit, Vector};
 use crate::trace::{
-    BoardColumns, BoardPaint, BoardTexture, CubeColumns, ImageFilter, PyramidColumns, SceneTables,
-    ShapeColumns, ShapeTable, SphereColumns, Trees, refit_tree,
+    BoardColumns, BoardEffects, CubeColumns, PyramidColumns, SceneTables, ShapeColumns, ShapeTable,
+    SphereColumns, Trees, refit_tree,
 };
 
 /// A shape component.
@@ -37,8 +34,8 @@ pub(super) trait ExtractShape<T: Real>: Shape {
     fn refit(scene: &mut SceneTables<T>, rows: &[u32]);
     /// Writes this shape over a row, if that can be done.
     fn replace(&self, columns: &mut Self::Columns, row: usize, position: DVec3) -> bool;
-    /// Adds a row for this shape.
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, paint: Paint<'_>);
+    /// Adds a row for this shape. What is on its cells is asked of those that have some.
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, on_cells: impl FnOnce() -> BoardEffects<T>);
 }
 
 impl Shape for Sphere {
@@ -76,7 +73,12 @@ impl<T: Real> ExtractShape<T> for Sphere {
         true
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _paint: Paint<'_>) {
+    fn push(
+        &self,
+        columns: &mut Self::Columns,
+        position: DVec3,
+        _on_cells: impl FnOnce() -> BoardEffects<T>,
+    ) {
         let center = Vector::from_dvec3(position);
         columns.push(SphereShape { center, radius: T::from_f64(self.radius) });
     }
@@ -114,7 +116,12 @@ impl<T: Real> ExtractShape<T> for Cube {
         true
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _paint: Paint<'_>) {
+    fn push(
+        &self,
+        columns: &mut Self::Columns,
+        position: DVec3,
+        _on_cells: impl FnOnce() -> BoardEffects<T>,
+    ) {
         columns.push(CubeShape::new(position, self.side));
     }
 }
@@ -151,7 +158,12 @@ impl<T: Real> ExtractShape<T> for Pyramid {
         true
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, _paint: Paint<'_>) {
+    fn push(
+        &self,
+        columns: &mut Self::Columns,
+        position: DVec3,
+        _on_cells: impl FnOnce() -> BoardEffects<T>,
+    ) {
         columns.push(PyramidShape::new(position, self.width, self.height));
     }
 }
@@ -184,37 +196,7 @@ impl<T: Real> ExtractShape<T> for Checkerboard {
         false
     }
 
-    fn push(&self, columns: &mut Self::Columns, position: DVec3, paint: Paint<'_>) {
-        columns.push(Vector::from_dvec3(position), T::from_f64(self.cell), paint.extract());
-    }
-}
-
-/// What is on the cells of a checkerboard, as the World has it.
-#[derive(Clone, Copy)]
-pub(super) struct Paint<'a> {
-    pub(super) textured: Option<&'a Textured>,
-    pub(super) texture_filter: TextureFilter,
-    pub(super) has_checker_filter: bool,
-}
-
-impl Paint<'_> {
-    /// For the table, with smaller copies of the images if they are asked for.
-    fn extract(self) -> BoardPaint {
-        let filter = |images: &Textured| match self.texture_filter {
-            TextureFilter::Nearest => None,
-            TextureFilter::Bilinear => Some(ImageFilter::Bilinear),
-            TextureFilter::Mip => {
-                let [white, black] =
-                    [&images.white, &images.black].map(|image| Arc::new(MipChain::new(image)));
-                Some(ImageFilter::Mip { white, black })
-            }
-        };
-        let images =
-            |images: &Textured| BoardTexture { white: images.white.clone(), black: images.black.clone() };
-        BoardPaint {
-            texture: self.textured.map(images),
-            texture_filter: self.textured.and_then(filter),
-            has_checker_filter: self.has_checker_filter,
-        }
+    fn push(&self, columns: &mut Self::Columns, position: DVec3, on_cells: impl FnOnce() -> BoardEffects<T>) {
+        columns.push(Vector::from_dvec3(position), T::from_f64(self.cell), on_cells());
     }
 }

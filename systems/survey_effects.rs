@@ -5,35 +5,20 @@ use bevy_ecs::component::Components;
 use bevy_ecs::entity_disabling::Disabled;
 use bevy_ecs::prelude::*;
 
-use crate::components::{
-    Absorption, Aperture, AreaLight, Background, CheckerFilter, Directional, ExposureStops, Falloff, Fog,
-    Glass, Gloss, LightColor, Mirror, SpotCone, SrgbTransfer, TextureFilter, Textured, Velocity,
-};
-use crate::effects::{Effect, EffectSet};
+use crate::components;
+use crate::effects::{Effect, EffectSet, survey};
 
 use super::Muted;
 
-/// Which component stands for which effect.
-const CARRIERS: [Carrier; Effect::ALL.len()] = [
-    Carrier::of::<Gloss>(Effect::Gloss),
-    Carrier::of::<Mirror>(Effect::Mirror),
-    Carrier::of::<Textured>(Effect::Texture),
-    Carrier::of::<Falloff>(Effect::Falloff),
-    Carrier::of::<SpotCone>(Effect::SpotCone),
-    Carrier::of::<LightColor>(Effect::LightColor),
-    Carrier::of::<Directional>(Effect::Directional),
-    Carrier::of::<AreaLight>(Effect::AreaLight),
-    Carrier::of::<Background>(Effect::Background),
-    Carrier::of::<Fog>(Effect::Fog),
-    Carrier::of::<Glass>(Effect::Glass),
-    Carrier::of::<Absorption>(Effect::Absorption),
-    Carrier::of::<TextureFilter>(Effect::TextureFilter),
-    Carrier::of::<CheckerFilter>(Effect::CheckerFilter),
-    Carrier::of::<Velocity>(Effect::MotionBlur),
-    Carrier::of::<Aperture>(Effect::Aperture),
-    Carrier::of::<ExposureStops>(Effect::Exposure),
-    Carrier::of::<SrgbTransfer>(Effect::Srgb),
-];
+macro_rules! define_carriers {
+    ({ $($effect:ident $name:ident: $component:ident [$($stage:ident)*] $what:literal;)* }) => {
+        /// Which component stands for which effect.
+        const CARRIERS: [Carrier; Effect::ALL.len()] =
+            [$(Carrier::of::<components::$component>(Effect::$effect),)*];
+    };
+}
+
+survey!(all, define_carriers);
 
 /// How many living entities carry each effect, whatever its value.
 #[derive(Resource, Clone, Debug, Default, PartialEq, Eq)]

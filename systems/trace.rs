@@ -87,7 +87,7 @@ pub fn trace_pass<T: Real>(
     monitor: &Monitor,
 ) -> Counts {
     let effects = exposure.camera.effects();
-    film.set_transfer(effects.transfer);
+    film.set_transfer(effects.transfer());
     let tables = exposure.tables.at(T::from_f64(effects.second(exposure.grid, pass)));
     let exposure = Exposure { tables: &tables, ..*exposure };
     let (side, height) = (film.side(), workers.tile_size);

@@ -21,7 +21,7 @@ pub fn trace_adaptive<T: Real>(
     let mut refinement = Refinement::new(film.side(), threshold);
     let mut counts = Counts::default();
     let effects = exposure.camera.effects();
-    film.set_transfer(effects.transfer);
+    film.set_transfer(effects.transfer());
     let (grid, total) = (exposure.grid, exposure.grid.count());
     let mut first = 0;
     while first < total && !refinement.is_done() && !monitor.is_cancelled() {

@@ -1,6 +1,29 @@
 //! Lights with an extent.
 
+use crate::components::AreaLight;
+use crate::components::range::{EXTENT, LIGHT_SAMPLES};
 use crate::geometry::{Real, Vector};
+
+use super::{Bearer, EffectComponent, Number};
+
+impl EffectComponent for AreaLight {
+    type Row<T: Real> = Ball<T>;
+
+    fn numbers(&self) -> impl IntoIterator<Item = Number> {
+        [
+            Number::new("AreaLight.radius", self.radius, &EXTENT),
+            Number::new("AreaLight.samples", self.samples.into(), &LIGHT_SAMPLES),
+        ]
+    }
+
+    fn does_nothing(&self) -> bool {
+        self.radius == 0.0
+    }
+
+    fn row<T: Real>(&self, bearer: &Bearer<'_>) -> Option<Ball<T>> {
+        Some(Ball { radius: T::from_f64(bearer.unit.length(self.radius)), samples: self.samples })
+    }
+}
 
 /// A ball that shines, around a light's position.
 #[derive(Clone, Copy, Debug)]

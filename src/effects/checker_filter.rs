@@ -1,8 +1,25 @@
 //! The checker pattern, averaged over what a pixel covers.
 
+use crate::components::CheckerFilter;
 use crate::geometry::Real;
 
-use super::CellPoint;
+use super::{Bearer, CellPoint, EffectComponent, Number};
+
+impl EffectComponent for CheckerFilter {
+    type Row<T: Real> = ();
+
+    fn numbers(&self) -> impl IntoIterator<Item = Number> {
+        []
+    }
+
+    fn does_nothing(&self) -> bool {
+        false
+    }
+
+    fn row<T: Real>(&self, bearer: &Bearer<'_>) -> Option<()> {
+        bearer.images.is_none().then_some(())
+    }
+}
 
 /// The share of white, 0 to 1, in a rectangle around a point of the checker pattern, with sides along the cells' in cells.
 ///

@@ -1,93 +1,30 @@
 //! Which effects there are.
 
-/// What a scene may ask for beyond coloured surfaces under plain lights.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Effect {
-    /// Highlights.
-    Gloss,
-    /// Mirrors.
-    Mirror,
-    /// Images on checkerboards.
-    Texture,
-    /// Lights that lose strength with distance.
-    Falloff,
-    /// Spotlights.
-    SpotCone,
-    /// Lights of another colour than white.
-    LightColor,
-    /// Parallel light.
-    Directional,
-    /// Lights with an extent, and soft shadows.
-    AreaLight,
-    /// Light from where there is no surface.
-    Background,
-    /// Fog.
-    Fog,
-    /// Glass: refraction, and Fresnel's reflection.
-    Glass,
-    /// Glass that takes light away.
-    Absorption,
-    /// Images that are averaged over some texels.
-    TextureFilter,
-    /// Cells that are averaged over what a pixel covers.
-    CheckerFilter,
-    /// Objects that move while the camera looks.
-    MotionBlur,
-    /// A camera with a lens of some width.
-    Aperture,
-    /// A camera for which light counts more or less.
-    Exposure,
-    /// Pictures by the curve of sRGB.
-    Srgb,
-}
+use super::survey;
 
-impl Effect {
-    /// Every effect, in the order of reports.
-    pub const ALL: [Self; 18] = [
-        Self::Gloss,
-        Self::Mirror,
-        Self::Texture,
-        Self::Falloff,
-        Self::SpotCone,
-        Self::LightColor,
-        Self::Directional,
-        Self::AreaLight,
-        Self::Background,
-        Self::Fog,
-        Self::Glass,
-        Self::Absorption,
-        Self::TextureFilter,
-        Self::CheckerFilter,
-        Self::MotionBlur,
-        Self::Aperture,
-        Self::Exposure,
-        Self::Srgb,
-    ];
-
-    /// Name in reports and on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Gloss => "gloss",
-            Self::Mirror => "mirror",
-            Self::Texture => "texture",
-            Self::Falloff => "falloff",
-            Self::SpotCone => "spot_cone",
-            Self::LightColor => "light_color",
-            Self::Directional => "directional",
-            Self::AreaLight => "area_light",
-            Self::Background => "background",
-            Self::Fog => "fog",
-            Self::Glass => "glass",
-            Self::Absorption => "absorption",
-            Self::TextureFilter => "texture_filter",
-            Self::CheckerFilter => "checker_filter",
-            Self::MotionBlur => "motion_blur",
-            Self::Aperture => "aperture",
-            Self::Exposure => "exposure",
-            Self::Srgb => "srgb",
+macro_rules! define_effects {
+    ({ $($effect:ident $name:ident: $component:ident [$($stage:ident)*] $what:literal;)* }) => {
+        /// What a scene may ask for beyond coloured surfaces under plain lights.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Effect {
+            $(#[doc = $what] $effect,)*
         }
-    }
+
+        impl Effect {
+            /// Every effect, in the order of reports.
+            pub const ALL: [Self; [$(Self::$effect),*].len()] = [$(Self::$effect),*];
+
+            /// Name in reports and on the command line.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$effect => stringify!($name),)*
+                }
+            }
+        }
+    };
 }
+
+survey!(all, define_effects);
 
 /// Some effects.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

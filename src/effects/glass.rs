@@ -1,6 +1,38 @@
 //! Refraction.
 
+use crate::components::Glass;
+use crate::components::range::{COEFFICIENT, INDEX};
 use crate::geometry::{Real, Vector};
+
+use super::{Bearer, EffectComponent, Number};
+
+/// Glass of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GlassRow<T> {
+    /// Index of refraction inside by that outside.
+    pub index: T,
+    /// Share of what glass shows.
+    pub transmission: T,
+}
+
+impl EffectComponent for Glass {
+    type Row<T: Real> = GlassRow<T>;
+
+    fn numbers(&self) -> impl IntoIterator<Item = Number> {
+        [
+            Number::new("Glass.index", self.index, &INDEX),
+            Number::new("Glass.transmission", self.transmission, &COEFFICIENT),
+        ]
+    }
+
+    fn does_nothing(&self) -> bool {
+        self.transmission == 0.0
+    }
+
+    fn row<T: Real>(&self, _bearer: &Bearer<'_>) -> Option<GlassRow<T>> {
+        Some(GlassRow { index: T::from_f64(self.index), transmission: T::from_f64(self.transmission) })
+    }
+}
 
 /// What becomes of light that meets the boundary of glass.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,35 @@
 
 use core::f64::consts::FRAC_1_SQRT_2;
 
+use glam::DVec3;
+
+use crate::components::SpotCone;
+use crate::components::range::{COORDINATE, CUTOFF};
 use crate::geometry::{Real, Vector};
+
+use super::{Bearer, EffectComponent, Number};
+
+impl EffectComponent for SpotCone {
+    type Row<T: Real> = Cone<T>;
+
+    fn numbers(&self) -> impl IntoIterator<Item = Number> {
+        let target = Number::of_vector("SpotCone.target", self.target, &COORDINATE);
+        target.into_iter().chain([Number::new("SpotCone.cutoff", self.cutoff, &CUTOFF)])
+    }
+
+    fn does_nothing(&self) -> bool {
+        self.cutoff == 180.0
+    }
+
+    fn row<T: Real>(&self, bearer: &Bearer<'_>) -> Option<Cone<T>> {
+        Some(Cone::new(cone_axis(bearer.position, bearer.unit.point(self.target)), self.cutoff))
+    }
+}
+
+/// From a light to the point that its cone's axis runs through.
+pub fn cone_axis<T: Real>(light: DVec3, target: DVec3) -> Vector<T> {
+    Vector::from_dvec3(target) - Vector::from_dvec3(light)
+}
 
 /// A cone around `axis` (of any length, away from the light) that lights all directions within its cutoff angle, the angle
 /// itself included.

@@ -1,5 +1,26 @@
 //! The transfer curve of sRGB.
 
+use crate::components::SrgbTransfer;
+use crate::geometry::Real;
+
+use super::{Bearer, EffectComponent, Number};
+
+impl EffectComponent for SrgbTransfer {
+    type Row<T: Real> = Self;
+
+    fn numbers(&self) -> impl IntoIterator<Item = Number> {
+        []
+    }
+
+    fn does_nothing(&self) -> bool {
+        false
+    }
+
+    fn row<T: Real>(&self, _bearer: &Bearer<'_>) -> Option<Self> {
+        Some(*self)
+    }
+}
+
 /// What becomes of linear light in a picture of 8 bits a channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Transfer {

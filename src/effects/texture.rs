@@ -1,9 +1,82 @@
 //! Looking up a texture.
 
-use crate::components::Texture;
+use std::sync::Arc;
+
+use crate::components::{Texture, TextureFilter, Textured};
 use crate::geometry::Real;
 
-use super::Rgb;
+use super::{Bearer, EffectComponent, MipChain, Number, Rgb};
+
+/// The images of a textured checkerboard.
+#[derive(Clone, Debug)]
+pub struct BoardTexture {
+    /// On white cells.
+    pub white: Arc<Texture>,
+    /// On black cells.
+    pub black: Arc<Texture>,
+}
+
+impl EffectComponent for Textured {
+    type Row<T: Real> = BoardTexture;
+
+    fn numbers(&self) -> impl IntoIterator<Item = Number> {
+        []
+    }
+
+    fn does_nothing(&self) -> bool {
+        false
+    }
+
+    fn row<T: Real>(&self, _bearer: &Bearer<'_>) -> Option<BoardTexture> {
+        Some(BoardTexture { white: self.white.clone(), black: self.black.clone() })
+    }
+}
+
+/// How the images of a checkerboard are looked up.
+#[derive(Clone, Debug)]
+pub enum ImageFilter {
+    /// Between the nearest four texels.
+    Bilinear,
+    /// From smaller copies.
+    Mip {
+        /// Of the image on white cells.
+        white: Arc<MipChain>,
+        /// Of the image on black cells.
+        black: Arc<MipChain>,
+    },
+}
+
+impl ImageFilter {
+    /// Memory held by copies of images.
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Bilinear => 0,
+            Self::Mip { white, black } => white.bytes() + black.bytes(),
+        }
+    }
+}
+
+impl EffectComponent for TextureFilter {
+    type Row<T: Real> = ImageFilter;
+
+    fn numbers(&self) -> impl IntoIterator<Item = Number> {
+        []
+    }
+
+    fn does_nothing(&self) -> bool {
+        *self == Self::Nearest
+    }
+
+    fn row<T: Real>(&self, bearer: &Bearer<'_>) -> Option<ImageFilter> {
+        let images = bearer.images?;
+        let chain = |image| Arc::new(MipChain::new(image));
+        match self {
+            Self::Nearest => None,
+            Self::Bilinear => Some(ImageFilter::Bilinear),
+            Self::Mip => Some(ImageFilter::Mip { white: chain(&images.white), black: chain(&images.black) }),
+        }
+    }
+}
 
 /// The texel of an image of `size` texels along one axis that covers position `along` (0 to 1).
 #[inline(always)]

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use crate::components::{CameraPose, Lens};
-use crate::effects::{EffectSet, Rgb};
+use crate::effects::{EffectSet, GlossRow, Rgb};
 use crate::film::Film;
 use crate::geometry::{CubeShape, PyramidShape, Real, SphereShape, Vector};
 use crate::trace::{
-    BoardPaint, CameraRays, Counts, Exposure, GlossRow, Kernel, LightRow, SampleId, SceneTables, Simd,
-    SurfaceRow, radiance,
+    BoardEffects, CameraRays, Counts, Exposure, Kernel, LightEffects, LightRow, SampleId, SceneTables, Simd,
+    SurfaceEffects, SurfaceRow, radiance,
 };
 
 use super::random::Random;
@@ -24,10 +24,11 @@ fn surface<T: Real>(random: &mut Random) -> SurfaceRow<T> {
         color: Rgb { r: share(1.0), g: share(1.0), b: share(1.0) },
         ambient: share(0.3),
         diffuse: share(0.6),
-        gloss: Some(GlossRow { specular: share(0.5), shininess: share(60.0) }),
-        mirror: Some(share(0.6)),
-        glass: None,
-        absorption: None,
+        effects: SurfaceEffects {
+            gloss: Some(GlossRow { specular: share(0.5), shininess: share(60.0) }),
+            mirror: Some(share(0.6)),
+            ..SurfaceEffects::default()
+        },
     }
 }
 
@@ -49,9 +50,10 @@ fn scene<T: Real>(random: &mut Random) -> SceneTables<T> {
         tables.cubes.surfaces.push(surface(random));
         tables.pyramids.surfaces.push(surface(random));
         let position = Vector::from_dvec3(random.direction() * 8.0);
-        tables.lights.push(LightRow { position, falloff: Some(T::from_f64(0.003)), ..LightRow::default() });
+        let effects = LightEffects { falloff: Some(T::from_f64(0.003)), ..LightEffects::default() };
+        tables.lights.push(LightRow { position, effects });
     }
-    tables.boards.shapes.push(Vector::from_dvec3(DVec3::NEG_Z), T::ONE, BoardPaint::default());
+    tables.boards.shapes.push(Vector::from_dvec3(DVec3::NEG_Z), T::ONE, BoardEffects::default());
     tables.boards.order.push(12);
     tables.boards.surfaces.push(surface(random));
     tables

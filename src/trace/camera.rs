@@ -110,7 +110,7 @@ impl<T: Real> CameraRays<T> {
         sample: SampleId,
     ) -> CameraRay<T> {
         let direction = self.through_pixel(column, row);
-        let Some(aperture) = known::<EFFECTS, _>(Effect::Aperture, self.effects.aperture) else {
+        let Some(aperture) = known::<EFFECTS, _>(Effect::Aperture, self.effects.rows.aperture) else {
             return self.near_plane_ray(self.eye, direction);
         };
         self.through_lens(&aperture, direction, sample)

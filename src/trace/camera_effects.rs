@@ -1,40 +1,44 @@
 //! What a camera does beyond that of a pinhole.
 
-use crate::components::{Aperture, ExposureStops, Shutter};
-use crate::effects::{Effect, EffectSet, Transfer};
+use crate::components::Shutter;
+use crate::effects::{Effect, EffectSet, RowOf, Transfer, survey};
+use crate::geometry::Real;
 
+use super::effect_rows::define_rows;
+use super::kernel::known;
 use super::{EffectCount, SampleGrid};
 
-/// The effects of a camera; what does nothing is not there.
+survey! {
+    camera, define_rows
+    /// What a camera does with the light that it sees; what does nothing is not there.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    CameraRows
+}
+
+/// The effects of a camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CameraEffects {
-    /// The width of its lens.
-    pub aperture: Option<Aperture>,
-    /// During what time it sees.
+    /// Its own.
+    pub rows: CameraRows<f64>,
+    /// During what time it sees objects that move; second 0 unless it says so.
     pub shutter: Option<Shutter>,
-    /// How often all light counts.
-    pub exposure: Option<ExposureStops>,
-    /// What becomes of light in 8 bits.
-    pub transfer: Transfer,
 }
 
 impl CameraEffects {
     /// Which effects these are.
     pub fn set(&self) -> EffectSet {
-        let all = [Effect::Aperture, Effect::Exposure, Effect::Srgb];
-        all.into_iter().filter(|&effect| self.count(effect).rows > 0).collect()
+        self.rows.set()
     }
 
     /// What an effect takes: one row, or nothing.
     pub fn count(&self, effect: Effect) -> EffectCount {
-        let (is_there, size) = match effect {
-            Effect::Aperture => (self.aperture.is_some(), size_of::<Aperture>()),
-            Effect::Exposure => (self.exposure.is_some(), size_of::<ExposureStops>()),
-            Effect::Srgb => (self.transfer == Transfer::Srgb, size_of::<Transfer>()),
-            _ => (false, 0),
-        };
-        let (rows, bytes) = if is_there { (1, size) } else { (0, 0) };
+        let (rows, bytes) = self.rows.size(effect);
         EffectCount { effect, rows, bytes }
+    }
+
+    /// What becomes of light in 8 bits.
+    pub fn transfer(&self) -> Transfer {
+        self.rows.srgb.map_or(Transfer::Linear, |_| Transfer::Srgb)
     }
 
     /// The second that a pass over the picture shows.
@@ -47,6 +51,6 @@ impl CameraEffects {
 
     /// What all light is multiplied by.
     pub fn gain(&self) -> f64 {
-        self.exposure.map_or(1.0, |exposure| libm::exp2(exposure.0))
+        self.rows.exposure.map_or(1.0, |exposure| libm::exp2(exposure.0))
     }
 }

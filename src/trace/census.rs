@@ -3,8 +3,7 @@
 use crate::effects::{Effect, EffectSet};
 use crate::geometry::Real;
 
-use super::air::size;
-use super::{MovingRow, SceneTables, ShapeColumns, SurfaceTable};
+use super::{MovingRow, SceneTables, ShapeColumns};
 
 /// An effect that some row asks for, or could.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,31 +48,24 @@ impl<T: Real> SceneTables<T> {
     }
 
     fn effect_count(&self, effect: Effect) -> EffectCount {
-        let (rows, bytes) = match effect {
-            Effect::Gloss => self.over_surfaces(|surfaces| surfaces.gloss.size()),
-            Effect::Mirror => self.over_surfaces(|surfaces| surfaces.mirror.size()),
-            Effect::Texture => self.boards.shapes.textures.size(),
-            Effect::Falloff => self.lights.falloff.size(),
-            Effect::SpotCone => self.lights.cone.size(),
-            Effect::LightColor => self.lights.color.size(),
-            Effect::Directional => self.lights.toward.size(),
-            Effect::AreaLight => self.lights.ball.size(),
-            Effect::Background => size(self.air.background.as_ref()),
-            Effect::Fog => size(self.air.haze.as_ref()),
-            Effect::Glass => self.over_surfaces(|surfaces| surfaces.glass.size()),
-            Effect::Absorption => self.over_surfaces(|surfaces| surfaces.absorption.size()),
-            Effect::TextureFilter => self.boards.shapes.texture_filter_size(),
-            Effect::CheckerFilter => self.boards.shapes.checker_filters.size(),
-            Effect::MotionBlur => (self.moving.len(), self.moving.capacity() * size_of::<MovingRow<T>>()),
-            // The camera's, see `CameraEffects::count`.
-            Effect::Aperture | Effect::Exposure | Effect::Srgb => (0, 0),
-        };
+        let tables = [
+            self.spheres.surfaces.effects.size(effect),
+            self.cubes.surfaces.effects.size(effect),
+            self.pyramids.surfaces.effects.size(effect),
+            self.boards.surfaces.effects.size(effect),
+            self.boards.shapes.size(effect),
+            self.lights.effects.size(effect),
+            self.air.size(effect),
+            self.moving_size(effect),
+        ];
+        let (rows, bytes) = tables.into_iter().fold((0, 0), |sum, size| (sum.0 + size.0, sum.1 + size.1));
         EffectCount { effect, rows, bytes }
     }
 
-    fn over_surfaces(&self, size: impl Fn(&SurfaceTable<T>) -> (usize, usize)) -> (usize, usize) {
-        let all =
-            [&self.spheres.surfaces, &self.cubes.surfaces, &self.pyramids.surfaces, &self.boards.surfaces];
-        all.into_iter().map(size).fold((0, 0), |sum, size| (sum.0 + size.0, sum.1 + size.1))
+    fn moving_size(&self, effect: Effect) -> (usize, usize) {
+        match effect {
+            Effect::MotionBlur => (self.moving.len(), self.moving.capacity() * size_of::<MovingRow<T>>()),
+            _ => (0, 0),
+        }
     }
 }

@@ -1,12 +1,15 @@
 //! The own colour of a surface over what a pixel covers of it.
 
 use crate::components::Texture;
-use crate::effects::{CellPoint, Effect, MipChain, PixelCone, Rgb, bilinear_color, cell_point, white_share};
+use crate::effects::{
+    BoardTexture, CellPoint, Effect, ImageFilter, MipChain, PixelCone, Rgb, bilinear_color, cell_point,
+    white_share,
+};
 use crate::geometry::{Real, Vector};
 
 use super::kernel::{has, known};
 use super::shade::own_color;
-use super::{BoardTexture, ImageFilter, Kind, ObjectId, SceneTables};
+use super::{Kind, ObjectId, SceneTables};
 
 /// Where a pixel's ray meets a surface.
 #[derive(Clone, Copy)]
@@ -45,11 +48,11 @@ fn board_color<T: Real, const EFFECTS: u32>(
     let (origin, width) = boards.pattern(row);
     let at = cell_point(spot.point.x - origin.x, spot.point.y - origin.y, width);
     let covered = spot.cone.on_level_plane(spot.direction).map(|length| length / width);
-    if has::<EFFECTS>(Effect::CheckerFilter) && boards.checker_filters.get(row).is_some() {
+    if has::<EFFECTS>(Effect::CheckerFilter) && boards.effects.checker_filter.get(row).is_some() {
         return Some(plain * white_share(at, covered));
     }
-    let filter = known::<EFFECTS, _>(Effect::TextureFilter, boards.texture_filters.get(row))?;
-    Some(image_color(boards.textures.get(row)?, filter, at, covered))
+    let filter = known::<EFFECTS, _>(Effect::TextureFilter, boards.effects.texture_filter.get(row))?;
+    Some(image_color(boards.effects.texture.get(row)?, filter, at, covered))
 }
 
 /// The colour of the image of a cell, of which a pixel covers some share along each axis.

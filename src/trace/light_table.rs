@@ -1,64 +1,49 @@
 //! Lights.
 
-use crate::effects::{Ball, Cone, Effect, EffectSet, Rgb};
+use crate::effects::{Effect, EffectSet, RowOf, survey};
 use crate::geometry::{Real, Vector};
 
 use super::EffectColumn;
+use super::effect_rows::{define_columns, define_rows};
+use super::kernel::known;
 use super::shape_columns::VectorColumns;
+
+survey! {
+    lights, define_rows
+    /// The effects of a light; what would change nothing is not there.
+    #[derive(Clone, Copy, Debug)]
+    LightEffects
+}
+
+survey! {
+    lights, define_columns
+    /// The effects of lights.
+    #[derive(Clone, Debug)]
+    LightEffectColumns of LightEffects
+}
 
 /// Lights.
 #[derive(Clone, Debug, Default)]
-pub struct LightTable<T> {
+pub struct LightTable<T: Real> {
     position: VectorColumns<T>,
-    /// Falloff, for lights that lose some.
-    pub falloff: EffectColumn<T>,
-    /// Cones, for spotlights.
-    pub cone: EffectColumn<Cone<T>>,
-    /// Colours, for lights that are not white.
-    pub color: EffectColumn<Rgb<T>>,
-    /// Directions to lights that are infinitely far away, of length 1.
-    pub toward: EffectColumn<Vector<T>>,
-    /// Extents, for lights that are more than a point.
-    pub ball: EffectColumn<Ball<T>>,
+    /// For lights that have some.
+    pub effects: LightEffectColumns<T>,
 }
 
 /// One light.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct LightRow<T> {
+pub struct LightRow<T: Real> {
     /// Position.
     pub position: Vector<T>,
-    /// Falloff, unless it would take nothing away.
-    pub falloff: Option<T>,
-    /// Cone, unless it would take nothing away.
-    pub cone: Option<Cone<T>>,
-    /// Colour, unless it is white.
-    pub color: Option<Rgb<T>>,
-    /// Where it is seen from everywhere (unit), if it is infinitely far away.
-    pub toward: Option<Vector<T>>,
-    /// Extent, unless it is a point.
-    pub ball: Option<Ball<T>>,
+    /// Its effects.
+    pub effects: LightEffects<T>,
 }
 
 impl<T: Real> LightTable<T> {
     /// Adds a row.
     pub fn push(&mut self, light: LightRow<T>) {
         self.position.push(light.position);
-        self.falloff.push(light.falloff);
-        self.cone.push(light.cone);
-        self.color.push(light.color);
-        self.toward.push(light.toward);
-        self.ball.push(light.ball);
-    }
-
-    /// The effects that some light has.
-    pub fn effects(&self) -> EffectSet {
-        EffectSet::present(&[
-            (Effect::Falloff, !self.falloff.is_empty()),
-            (Effect::SpotCone, !self.cone.is_empty()),
-            (Effect::LightColor, !self.color.is_empty()),
-            (Effect::Directional, !self.toward.is_empty()),
-            (Effect::AreaLight, !self.ball.is_empty()),
-        ])
+        self.effects.push(light.effects);
     }
 
     /// Number of lights.
@@ -80,13 +65,6 @@ impl<T: Real> LightTable<T> {
     /// A row as it was added.
     #[inline(always)]
     pub fn row(&self, row: usize) -> LightRow<T> {
-        LightRow {
-            position: self.position.get(row),
-            falloff: self.falloff.get(row).copied(),
-            cone: self.cone.get(row).copied(),
-            color: self.color.get(row).copied(),
-            toward: self.toward.get(row).copied(),
-            ball: self.ball.get(row).copied(),
-        }
+        LightRow { position: self.position.get(row), effects: self.effects.row(row) }
     }
 }

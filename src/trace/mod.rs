@@ -12,6 +12,7 @@ mod census;
 mod closest;
 mod counts;
 mod effect_column;
+mod effect_rows;
 mod filtered_color;
 mod hit;
 mod kernel;
@@ -37,26 +38,25 @@ mod tree;
 pub use adaptive::{BandAround, RefinedBand, Refinement, error_of_mean};
 pub use air::Air;
 pub use camera::{CameraRay, CameraRays};
-pub use camera_effects::CameraEffects;
+pub use camera_effects::{CameraEffects, CameraRows};
 pub use census::{EffectCount, TableCount};
 pub use closest::closest_hit;
 pub use counts::{Counts, RayCounts};
 pub use effect_column::EffectColumn;
 pub use hit::{Departure, Hit, Kind, ObjectId};
 pub use kernel::Kernel;
-pub use light_table::{LightRow, LightTable};
+pub use light_table::{LightEffectColumns, LightEffects, LightRow, LightTable};
 pub use motion::MovingRow;
 pub use occlusion::is_occluded;
 pub use radiance::{Depth, Radiance, radiance};
 pub use samples::{SampleGrid, SamplePoint};
 pub use sequence::{Purpose, SampleId, Sequence};
 pub use shape_columns::{
-    BoardColumns, BoardPaint, BoardTexture, CubeColumns, ImageFilter, PyramidColumns, ShapeColumns,
-    SphereColumns,
+    BoardColumns, BoardEffectColumns, BoardEffects, CubeColumns, PyramidColumns, ShapeColumns, SphereColumns,
 };
 pub use simd::Simd;
 pub use stream::Query;
-pub use surface_table::{GlassRow, GlossRow, SurfaceRow, SurfaceTable};
+pub use surface_table::{SurfaceEffectColumns, SurfaceEffects, SurfaceRow, SurfaceTable};
 pub use tables::{SceneTables, ShapeTable, Trees};
 pub use tile::Exposure;
 pub use trail::Trail;

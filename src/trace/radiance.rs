@@ -1,7 +1,7 @@
 //! The recursion.
 
 use crate::effects::{
-    Effect, EffectSet, Haze, PixelCone, Rgb, Split, left_by, reflect, split, split_at_sheet,
+    Effect, EffectSet, GlassRow, Haze, PixelCone, Rgb, Split, left_by, reflect, split, split_at_sheet,
 };
 use crate::geometry::{Convex, Ray, Real, Side, SurfacePoint, Vector};
 
@@ -10,7 +10,7 @@ use super::kernel::{has, known};
 use super::shade::{Lighting, Look, Shaded};
 use super::stages::Stages;
 use super::{
-    CameraRay, Counts, Departure, GlassRow, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns, Trail,
+    CameraRay, Counts, Departure, Hit, Kind, ObjectId, SampleId, SceneTables, ShapeColumns, Trail,
     closest_hit,
 };
 
@@ -138,17 +138,17 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
         let (surfaces, row) = tables.surface(hit.object);
         let surface = surfaces.row(row).of_kernel::<EFFECTS>();
         self.found.trail = self.found.trail.after(ObjectId::packed(hit.object.kind, hit.object.row));
-        self.dim(path, &hit, surface.glass.is_some());
+        self.dim(path, &hit, surface.effects.glass.is_some());
         let weight = path.weight;
         if weight == Rgb::BLACK {
             return false;
         }
         let direction = path.ray.direction;
         let goes_on = path.remaining > 0;
-        let glass = surface.glass.filter(|_| goes_on);
-        let mirror = surface.mirror.filter(|_| goes_on).unwrap_or(T::ZERO);
+        let glass = surface.effects.glass.filter(|_| goes_on);
+        let mirror = surface.effects.mirror.filter(|_| goes_on).unwrap_or(T::ZERO);
         // One reflected direction serves gloss, mirrors and glass; a surface with none of them never computes it.
-        let needs_mirrored = surface.gloss.is_some() || mirror != T::ZERO || glass.is_some();
+        let needs_mirrored = surface.effects.gloss.is_some() || mirror != T::ZERO || glass.is_some();
         let mirrored = if needs_mirrored { reflect(direction, shaded.normal) } else { direction };
         let cone = path.cone.after(hit.crossing.t);
         let own = match hit.object.kind {
@@ -193,7 +193,7 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
             if has::<EFFECTS>(Effect::Absorption) {
                 absorb(self.tables, hit, &mut path.weight);
             }
-        } else if let Some(haze) = known::<EFFECTS, _>(Effect::Fog, self.tables.air.haze.as_ref()) {
+        } else if let Some(haze) = known::<EFFECTS, _>(Effect::Fog, self.tables.air.fog.as_ref()) {
             veil(haze, hit.crossing.t, &mut path.weight, &mut self.found.color);
         }
     }
@@ -205,7 +205,7 @@ impl<T: Real, const EFFECTS: u32> Walk<'_, T, EFFECTS> {
 #[inline(never)]
 fn absorb<T: Real>(tables: &SceneTables<T>, hit: &Hit<T>, weight: &mut Rgb<T>) {
     let (surfaces, row) = tables.surface(hit.object);
-    if let Some(&absorption) = surfaces.absorption.get(row) {
+    if let Some(&absorption) = surfaces.effects.absorption.get(row) {
         *weight = *weight * left_by(absorption, hit.crossing.t);
     }
 }

@@ -1,15 +1,15 @@
 //! The light that a surface point sends back by itself.
 
 use crate::effects::{
-    Ball, CellPoint, Effect, Rgb, attenuation, cell_point, disk_point, lambert, phong, texel_index,
+    Ball, BoardTexture, CellPoint, Effect, Rgb, attenuation, cell_point, disk_point, lambert, phong,
+    texel_index,
 };
 use crate::geometry::{Ray, Real, Side, SurfacePoint, Vector};
 
 use super::kernel::known;
 use super::stages::Stages;
 use super::{
-    BoardTexture, Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail,
-    is_occluded,
+    Counts, Departure, Hit, Kind, ObjectId, Purpose, SampleId, SceneTables, SurfaceRow, Trail, is_occluded,
 };
 
 /// A surface point as the shading sees it.
@@ -84,7 +84,7 @@ impl<T: Real> Lighting<'_, T> {
         let mut sums = LightSums { lambert: Rgb::BLACK, phong: Rgb::BLACK, trail: *trail };
         (self.stages.gather)(self, &mut sums, counts);
         *trail = sums.trail;
-        let specular = surface.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
+        let specular = surface.effects.gloss.map_or(Rgb::BLACK, |gloss| sums.phong * gloss.specular);
         own * ((Rgb::gray(surface.ambient) + sums.lambert * surface.diffuse) + specular)
     }
 
@@ -103,12 +103,12 @@ impl<T: Real> Lighting<'_, T> {
             return;
         }
         // 2. Lights whose cone does not contain the point.
-        let cone = known::<EFFECTS, _>(Effect::SpotCone, self.tables.lights.cone.get(row));
+        let cone = known::<EFFECTS, _>(Effect::SpotCone, self.tables.lights.effects.spot_cone.get(row));
         if cone.is_some_and(|cone| !cone.contains(-segment)) {
             return;
         }
         // 3. Lights of which nothing arrives from so far.
-        let falloff = known::<EFFECTS, _>(Effect::Falloff, self.tables.lights.falloff.get(row));
+        let falloff = known::<EFFECTS, _>(Effect::Falloff, self.tables.lights.effects.falloff.get(row));
         let scale = falloff.map_or(share, |&falloff| share * attenuation(segment.dot(segment), falloff));
         if scale == T::ZERO {
             return;
@@ -165,9 +165,10 @@ pub(super) fn gather<T: Real, const EFFECTS: u32>(
 ) {
     let lights = &lighting.tables.lights;
     for row in 0..lights.len() {
-        if let Some(toward) = known::<EFFECTS, _>(Effect::Directional, lights.toward.get(row)) {
+        if let Some(toward) = known::<EFFECTS, _>(Effect::Directional, lights.effects.directional.get(row)) {
             lighting.add_parallel(row, *toward, sums, counts);
-        } else if let Some(ball) = known::<EFFECTS, _>(Effect::AreaLight, lights.ball.get(row)) {
+        } else if let Some(ball) = known::<EFFECTS, _>(Effect::AreaLight, lights.effects.area_light.get(row))
+        {
             lighting.add_ball::<EFFECTS>(row, ball, sums, counts);
         } else {
             let segment = lights.position(row) - lighting.shaded.point;
@@ -183,7 +184,7 @@ pub(super) fn shine<T: Real, const EFFECTS: u32>(
     sums: &mut LightSums<T>,
     counts: &mut Counts,
 ) {
-    let color = known::<EFFECTS, _>(Effect::LightColor, lighting.tables.lights.color.get(row));
+    let color = known::<EFFECTS, _>(Effect::LightColor, lighting.tables.lights.effects.light_color.get(row));
     if color == Some(&Rgb::BLACK) {
         return;
     }
@@ -196,7 +197,7 @@ pub(super) fn shine<T: Real, const EFFECTS: u32>(
     let color = color.map_or(Rgb::gray(scale), |&color| color * scale);
     sums.trail = sums.trail.lit_by(row);
     sums.lambert += color * lambert(to_light, normal);
-    if let Some(gloss) = known::<EFFECTS, _>(Effect::Gloss, lighting.surface.gloss) {
+    if let Some(gloss) = known::<EFFECTS, _>(Effect::Gloss, lighting.surface.effects.gloss) {
         sums.phong += color * phong(lighting.mirrored, to_light, gloss.shininess);
     }
 }
@@ -222,7 +223,7 @@ pub(super) fn own_color<T: Real, const EFFECTS: u32>(
     let row = object.row as usize;
     let (origin, width) = boards.pattern(row);
     let cell = cell_point(point.x - origin.x, point.y - origin.y, width);
-    match known::<EFFECTS, _>(Effect::Texture, boards.textures.get(row)) {
+    match known::<EFFECTS, _>(Effect::Texture, boards.effects.texture.get(row)) {
         Some(texture) => texel_color(texture, &cell),
         None if cell.white => plain,
         None => Rgb::BLACK,

@@ -1,11 +1,10 @@
 //! Shapes, as columns of numbers.
 
-use std::sync::Arc;
-
-use crate::components::Texture;
-use crate::effects::{Effect, EffectSet, MipChain};
+use crate::effects::{Effect, EffectSet, ImageFilter, RowOf, survey};
 use crate::geometry::{Convex, CubeShape, PlaneShape, PyramidShape, Real, SphereShape, Vector};
 
+use super::effect_rows::{define_columns, define_rows};
+use super::kernel::known;
 use super::{EffectColumn, Kind};
 
 /// Columns that describe the shapes of one kind.
@@ -218,27 +217,35 @@ impl<T: Real> ShapeColumns<T> for PyramidColumns<T> {
     }
 }
 
-/// Origin, cell width and images of checkerboards.
+survey! {
+    boards, define_rows
+    /// The effects of a checkerboard's cells; what would show nothing is not there.
+    #[derive(Clone, Debug)]
+    BoardEffects
+}
+
+survey! {
+    boards, define_columns
+    /// The effects of checkerboards' cells.
+    #[derive(Clone, Debug)]
+    BoardEffectColumns of BoardEffects
+}
+
+/// Origin, cell width and effects of checkerboards.
 #[derive(Clone, Debug, Default)]
-pub struct BoardColumns<T> {
+pub struct BoardColumns<T: Real> {
     origin: VectorColumns<T>,
     cell: Vec<T>,
-    /// Images on the cells, for boards that carry some.
-    pub textures: EffectColumn<BoardTexture>,
-    /// How those are looked up, unless texel by texel.
-    pub texture_filters: EffectColumn<ImageFilter>,
-    /// For boards whose plain cells are averaged.
-    pub checker_filters: EffectColumn<()>,
+    /// For boards that have some.
+    pub effects: BoardEffectColumns<T>,
 }
 
 impl<T: Real> BoardColumns<T> {
     /// Adds a row: the corner of a white cell with the least coordinates, the width of the cells, and what is on them.
-    pub fn push(&mut self, origin: Vector<T>, cell: T, paint: BoardPaint) {
+    pub fn push(&mut self, origin: Vector<T>, cell: T, effects: BoardEffects<T>) {
         self.origin.push(origin);
         self.cell.push(cell);
-        self.textures.push(paint.texture);
-        self.texture_filters.push(paint.texture_filter);
-        self.checker_filters.push(paint.has_checker_filter.then_some(()));
+        self.effects.push(effects);
     }
 
     /// Moves a row.
@@ -249,14 +256,22 @@ impl<T: Real> BoardColumns<T> {
     /// Whether any row has a filter.
     #[inline(always)]
     pub(super) fn has_filters(&self) -> bool {
-        !(self.texture_filters.is_empty() && self.checker_filters.is_empty())
+        !(self.effects.texture_filter.is_empty() && self.effects.checker_filter.is_empty())
     }
 
-    /// Rows with a texture filter, and the memory that they and their copies of images take.
-    pub(super) fn texture_filter_size(&self) -> (usize, usize) {
-        let (rows, bytes) = self.texture_filters.size();
-        let filters = (0..self.cell.len()).filter_map(|row| self.texture_filters.get(row));
-        (rows, bytes + filters.map(ImageFilter::bytes).sum::<usize>())
+    /// Rows that have an effect, and the memory that it takes, copies of images included.
+    pub(super) fn size(&self, effect: Effect) -> (usize, usize) {
+        let (rows, bytes) = self.effects.size(effect);
+        let copies = match effect {
+            Effect::TextureFilter => self.copied_bytes(),
+            _ => 0,
+        };
+        (rows, bytes + copies)
+    }
+
+    fn copied_bytes(&self) -> usize {
+        let filters = (0..self.cell.len()).filter_map(|row| self.effects.texture_filter.get(row));
+        filters.map(ImageFilter::bytes).sum()
     }
 
     /// Origin and cell width of a row.
@@ -280,62 +295,12 @@ impl<T: Real> ShapeColumns<T> for BoardColumns<T> {
     }
 
     fn effects(&self) -> EffectSet {
-        EffectSet::present(&[
-            (Effect::Texture, !self.textures.is_empty()),
-            (Effect::TextureFilter, !self.texture_filters.is_empty()),
-            (Effect::CheckerFilter, !self.checker_filters.is_empty()),
-        ])
+        self.effects.set()
     }
 
     fn shrink_to_fit(&mut self) {
         self.origin.shrink_to_fit();
         self.cell.shrink_to_fit();
-        self.textures.shrink_to_fit();
-        self.texture_filters.shrink_to_fit();
-        self.checker_filters.shrink_to_fit();
+        self.effects.shrink_to_fit();
     }
-}
-
-/// The images of a textured checkerboard.
-#[derive(Clone, Debug)]
-pub struct BoardTexture {
-    /// On white cells.
-    pub white: Arc<Texture>,
-    /// On black cells.
-    pub black: Arc<Texture>,
-}
-
-/// How the images of a checkerboard are looked up.
-#[derive(Clone, Debug)]
-pub enum ImageFilter {
-    /// Between the nearest four texels.
-    Bilinear,
-    /// From smaller copies.
-    Mip {
-        /// Of the image on white cells.
-        white: Arc<MipChain>,
-        /// Of the image on black cells.
-        black: Arc<MipChain>,
-    },
-}
-
-impl ImageFilter {
-    /// Memory held by copies of images.
-    fn bytes(&self) -> usize {
-        match self {
-            Self::Bilinear => 0,
-            Self::Mip { white, black } => white.bytes() + black.bytes(),
-        }
-    }
-}
-
-/// What is on the cells of a checkerboard beyond white and black.
-#[derive(Clone, Debug, Default)]
-pub struct BoardPaint {
-    /// Images.
-    pub texture: Option<BoardTexture>,
-    /// How those are looked up, unless texel by texel.
-    pub texture_filter: Option<ImageFilter>,
-    /// Whether plain cells are averaged over what a pixel covers.
-    pub has_checker_filter: bool,
 }

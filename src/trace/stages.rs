@@ -1,6 +1,6 @@
 //! What tracing ray by ray is made of.
 
-use crate::effects::{Effect, EffectSet, Rgb};
+use crate::effects::{Effect, EffectSet, Rgb, survey};
 use crate::geometry::{Real, Vector};
 
 use super::air::look_beyond;
@@ -11,20 +11,51 @@ use super::shade::{Arrival, LightSums, Lighting, gather, shine};
 use super::tile::{PacketTask, trace_each};
 use super::{Air, CameraRay, Counts, ObjectId, SampleId, SceneTables};
 
-/// Code of a stage, compiled for every set of the effects in the list; of that, what has those that are asked for.
+/// Code of a stage, compiled for every set of the effects that the survey says it has code for; of that, what has those that
+/// are asked for.
 macro_rules! compiled_for {
-    ($code:ident, $asked:expr, [$($effect:ident)*]) => {
-        compiled_for!(@ $code, $asked, [$($effect)*], EffectSet::NONE)
+    ($stage:ident $code:ident $asked:ident
+        { $($effect:ident $name:ident: $component:ident [$($in:ident)*] $what:literal;)* }) => {
+        choose!($stage $code $asked (EffectSet::NONE) $($effect [$($in)*])*)
     };
-    (@ $code:ident, $asked:expr, [$effect:ident $($others:ident)*], $chosen:expr) => {
+}
+
+/// Goes from effect to effect: where the stage is among those of an effect, there is code with it and without it.
+macro_rules! choose {
+    (expose $code:ident $asked:ident $set:tt $effect:ident [expose $($in:ident)*] $($others:tt)*) => {
+        choose!(@ expose $code $asked $set $effect $($others)*)
+    };
+    (follow $code:ident $asked:ident $set:tt $effect:ident [follow $($in:ident)*] $($others:tt)*) => {
+        choose!(@ follow $code $asked $set $effect $($others)*)
+    };
+    (look_beyond $code:ident $asked:ident $set:tt $effect:ident [look_beyond $($in:ident)*] $($others:tt)*) => {
+        choose!(@ look_beyond $code $asked $set $effect $($others)*)
+    };
+    (paint $code:ident $asked:ident $set:tt $effect:ident [paint $($in:ident)*] $($others:tt)*) => {
+        choose!(@ paint $code $asked $set $effect $($others)*)
+    };
+    (gather $code:ident $asked:ident $set:tt $effect:ident [gather $($in:ident)*] $($others:tt)*) => {
+        choose!(@ gather $code $asked $set $effect $($others)*)
+    };
+    (shine $code:ident $asked:ident $set:tt $effect:ident [shine $($in:ident)*] $($others:tt)*) => {
+        choose!(@ shine $code $asked $set $effect $($others)*)
+    };
+    (@ $stage:ident $code:ident $asked:ident ($set:expr) $effect:ident $($others:tt)*) => {
         if $asked.contains(Effect::$effect) {
-            compiled_for!(@ $code, $asked, [$($others)*], $chosen.with(Effect::$effect))
+            choose!($stage $code $asked ($set.with(Effect::$effect)) $($others)*)
         } else {
-            compiled_for!(@ $code, $asked, [$($others)*], $chosen)
+            choose!($stage $code $asked ($set) $($others)*)
         }
     };
-    (@ $code:ident, $asked:expr, [], $chosen:expr) => {
-        $code::<T, { compiled($chosen).bits() }>
+    // It is the next of the effect's stages, or none of them.
+    ($stage:ident $code:ident $asked:ident $set:tt $effect:ident [$other:ident $($in:ident)*] $($others:tt)*) => {
+        choose!($stage $code $asked $set $effect [$($in)*] $($others)*)
+    };
+    ($stage:ident $code:ident $asked:ident $set:tt $effect:ident [] $($others:tt)*) => {
+        choose!($stage $code $asked $set $($others)*)
+    };
+    ($stage:ident $code:ident $asked:ident ($set:expr)) => {
+        $code::<T, { compiled($set).bits() }>
     };
 }
 
@@ -66,12 +97,12 @@ impl<T: Real> Stages<T> {
     /// The stages for these effects.
     pub(super) fn of(effects: EffectSet) -> Self {
         Self {
-            expose: compiled_for!(trace_each, effects, [Aperture Exposure]),
-            follow: compiled_for!(follow_all, effects, [Gloss Mirror Fog Glass Absorption]),
-            look_beyond: compiled_for!(look_beyond, effects, [Background Fog]),
-            paint: compiled_for!(filtered_color, effects, [Texture TextureFilter CheckerFilter]),
-            gather: compiled_for!(gather, effects, [Falloff SpotCone Directional AreaLight]),
-            shine: compiled_for!(shine, effects, [Gloss LightColor]),
+            expose: survey!(all, compiled_for expose trace_each effects),
+            follow: survey!(all, compiled_for follow follow_all effects),
+            look_beyond: survey!(all, compiled_for look_beyond look_beyond effects),
+            paint: survey!(all, compiled_for paint filtered_color effects),
+            gather: survey!(all, compiled_for gather gather effects),
+            shine: survey!(all, compiled_for shine shine effects),
         }
     }
 }

@@ -1,76 +1,55 @@
 //! Surfaces.
 
-use crate::effects::{Effect, EffectSet, Rgb};
+use crate::effects::{Effect, EffectSet, Rgb, RowOf, survey};
 use crate::geometry::Real;
 
 use super::EffectColumn;
+use super::effect_rows::{define_columns, define_rows};
 use super::kernel::known;
+
+survey! {
+    surfaces, define_rows
+    /// The effects of a surface; what would show nothing is not there.
+    #[derive(Clone, Copy, Debug)]
+    SurfaceEffects
+}
+
+survey! {
+    surfaces, define_columns
+    /// The effects of surfaces.
+    #[derive(Clone, Debug)]
+    SurfaceEffectColumns of SurfaceEffects
+}
 
 /// Surfaces of the objects of one kind.
 #[derive(Clone, Debug, Default)]
-pub struct SurfaceTable<T> {
+pub struct SurfaceTable<T: Real> {
     color: Vec<Rgb<T>>,
     ambient: Vec<T>,
     diffuse: Vec<T>,
-    /// Gloss, for surfaces that have some.
-    pub gloss: EffectColumn<GlossRow<T>>,
-    /// Reflectance, for surfaces that are mirrors.
-    pub mirror: EffectColumn<T>,
-    /// Glass, for surfaces that light passes.
-    pub glass: EffectColumn<GlassRow<T>>,
-    /// Absorption in 1/unit, for glass that takes light away.
-    pub absorption: EffectColumn<Rgb<T>>,
+    /// For surfaces that have some.
+    pub effects: SurfaceEffectColumns<T>,
 }
 
 /// One surface.
 #[derive(Clone, Copy, Debug)]
-pub struct SurfaceRow<T> {
+pub struct SurfaceRow<T: Real> {
     /// Own colour.
     pub color: Rgb<T>,
     /// Ambient coefficient.
     pub ambient: T,
     /// Diffuse coefficient.
     pub diffuse: T,
-    /// Gloss, unless it would show nothing.
-    pub gloss: Option<GlossRow<T>>,
-    /// Reflectance, unless it would show nothing.
-    pub mirror: Option<T>,
-    /// Glass, unless it would show nothing.
-    pub glass: Option<GlassRow<T>>,
-    /// Absorption in 1/unit, unless it would take nothing away.
-    pub absorption: Option<Rgb<T>>,
+    /// Its effects.
+    pub effects: SurfaceEffects<T>,
 }
 
 impl<T: Real> SurfaceRow<T> {
     /// What code for these effects knows of it.
     #[inline(always)]
     pub(super) fn of_kernel<const EFFECTS: u32>(self) -> Self {
-        Self {
-            gloss: known::<EFFECTS, _>(Effect::Gloss, self.gloss),
-            mirror: known::<EFFECTS, _>(Effect::Mirror, self.mirror),
-            glass: known::<EFFECTS, _>(Effect::Glass, self.glass),
-            absorption: known::<EFFECTS, _>(Effect::Absorption, self.absorption),
-            ..self
-        }
+        Self { effects: self.effects.of_kernel::<EFFECTS>(), ..self }
     }
-}
-
-/// Glass of a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GlassRow<T> {
-    /// Index of refraction inside by that outside.
-    pub index: T,
-    /// Share of what glass shows.
-    pub transmission: T,
-}
-
-/// Gloss of a surface.
-#[derive(Clone, Copy, Debug)]
-pub struct GlossRow<T> {
-    /// Specular coefficient.
-    pub specular: T,
-    /// Phong exponent.
-    pub shininess: T,
 }
 
 impl<T: Real> SurfaceTable<T> {
@@ -79,10 +58,7 @@ impl<T: Real> SurfaceTable<T> {
         self.color.push(surface.color);
         self.ambient.push(surface.ambient);
         self.diffuse.push(surface.diffuse);
-        self.gloss.push(surface.gloss);
-        self.mirror.push(surface.mirror);
-        self.glass.push(surface.glass);
-        self.absorption.push(surface.absorption);
+        self.effects.push(surface.effects);
     }
 
     /// Writes over a row, if it has the same effects as before.
@@ -90,20 +66,7 @@ impl<T: Real> SurfaceTable<T> {
         self.color[row] = surface.color;
         self.ambient[row] = surface.ambient;
         self.diffuse[row] = surface.diffuse;
-        self.gloss.replace(row, surface.gloss)
-            && self.mirror.replace(row, surface.mirror)
-            && self.glass.replace(row, surface.glass)
-            && self.absorption.replace(row, surface.absorption)
-    }
-
-    /// The effects that some surface has.
-    pub fn effects(&self) -> EffectSet {
-        EffectSet::present(&[
-            (Effect::Gloss, !self.gloss.is_empty()),
-            (Effect::Mirror, !self.mirror.is_empty()),
-            (Effect::Glass, !self.glass.is_empty()),
-            (Effect::Absorption, !self.absorption.is_empty()),
-        ])
+        self.effects.replace(row, surface.effects)
     }
 
     /// Gives back memory that no row takes.
@@ -111,10 +74,7 @@ impl<T: Real> SurfaceTable<T> {
         self.color.shrink_to_fit();
         self.ambient.shrink_to_fit();
         self.diffuse.shrink_to_fit();
-        self.gloss.shrink_to_fit();
-        self.mirror.shrink_to_fit();
-        self.glass.shrink_to_fit();
-        self.absorption.shrink_to_fit();
+        self.effects.shrink_to_fit();
     }
 
     /// A row as it was added.
@@ -124,10 +84,7 @@ impl<T: Real> SurfaceTable<T> {
             color: self.color[row],
             ambient: self.ambient[row],
             diffuse: self.diffuse[row],
-            gloss: self.gloss.get(row).copied(),
-            mirror: self.mirror.get(row).copied(),
-            glass: self.glass.get(row).copied(),
-            absorption: self.absorption.get(row).copied(),
+            effects: self.effects.row(row),
         }
     }
 }

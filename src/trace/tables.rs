@@ -99,7 +99,7 @@ pub struct ShapeTable<T: Real, C> {
 impl<T: Real, C: ShapeColumns<T>> ShapeTable<T, C> {
     /// The effects that some object has.
     pub fn effects(&self) -> EffectSet {
-        self.shapes.effects().union(self.surfaces.effects())
+        self.shapes.effects().union(self.surfaces.effects.set())
     }
 
     /// Gives back memory that no row takes.

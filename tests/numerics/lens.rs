@@ -2,7 +2,7 @@
 
 use archetrace::components::{Aperture, CameraPose, Lens};
 use archetrace::geometry::Real;
-use archetrace::trace::{CameraEffects, CameraRays, SampleId};
+use archetrace::trace::{CameraEffects, CameraRays, CameraRows, SampleId};
 use glam::DVec3;
 
 use crate::precision::{Precision, bits};
@@ -12,8 +12,8 @@ const FOCUS: f64 = 40.0;
 
 fn through_lens<T: Real>(radius: f64) -> CameraRays<T> {
     let pose = CameraPose::looking(DVec3::ZERO, DVec3::Y, DVec3::Z).unwrap();
-    let aperture = Some(Aperture { radius, focus: FOCUS });
-    CameraRays::new(&pose, &LENS, 9).with_effects(CameraEffects { aperture, ..CameraEffects::default() })
+    let rows = CameraRows { aperture: Some(Aperture { radius, focus: FOCUS }), ..CameraRows::default() };
+    CameraRays::new(&pose, &LENS, 9).with_effects(CameraEffects { rows, shutter: None })
 }
 
 /// Where the samples of a pixel are at a depth, from where the ray through a pinhole is: x and z.

@@ -2,7 +2,7 @@
 
 use archetrace::geometry::{Convex, Crossing, CubeShape, PlaneShape, PyramidShape, Ray, SphereShape, Vector};
 use archetrace::trace::{
-    BoardPaint, Departure, Kind, ObjectId, Query, SMALLEST_TREE, SceneTables, Sequential, Simd, closest_hit,
+    BoardEffects, Departure, Kind, ObjectId, Query, SMALLEST_TREE, SceneTables, Sequential, Simd, closest_hit,
 };
 
 use crate::precision::Precision;
@@ -42,7 +42,7 @@ impl<T: Precision> Tabled<T> for PlaneShape<T> {
     const KIND: Kind = Kind::Board;
     fn push(self, tables: &mut SceneTables<T>, order: u32) {
         let origin = Vector::new(T::ZERO, T::ZERO, self.height);
-        tables.boards.shapes.push(origin, T::ONE, BoardPaint::default());
+        tables.boards.shapes.push(origin, T::ONE, BoardEffects::default());
         tables.boards.order.push(order);
     }
 }

@@ -80,22 +80,22 @@ fn every_row_is_what_its_entity_says() {
     assert_eq!(scene.spheres.order, [7]);
     let surface = scene.spheres.surfaces.row(0);
     assert_eq!(surface.color.to_f64(), [0.1, 0.2, 0.3]);
-    assert_eq!((surface.ambient, surface.diffuse, surface.mirror), (0.4, 0.5, Some(0.6)));
-    let row = surface.gloss.unwrap();
+    assert_eq!((surface.ambient, surface.diffuse, surface.effects.mirror), (0.4, 0.5, Some(0.6)));
+    let row = surface.effects.gloss.unwrap();
     assert_eq!((row.specular, row.shininess), (0.3, 9.0));
 
     let cube = scene.cubes.shapes.shape(0);
     assert_eq!((cube.min, cube.max), (point, Vector::new(6.0, 7.0, 8.0)));
     let plain = scene.cubes.surfaces.row(0);
     assert_eq!(plain.color.to_f64(), [1.0; 3]);
-    assert_eq!((plain.ambient, plain.diffuse, plain.mirror), (0.0, 0.0, None));
-    assert!(plain.gloss.is_none());
+    assert_eq!((plain.ambient, plain.diffuse, plain.effects.mirror), (0.0, 0.0, None));
+    assert!(plain.effects.gloss.is_none());
     assert_eq!(scene.pyramids.shapes.shape(0).apex, Vector::new(4.0, 5.0, 11.0));
     assert_eq!(scene.boards.shapes.shape(0).height, 3.0);
     let light = scene.lights.row(0);
-    assert_eq!((light.position, light.falloff), (point, Some(0.01)));
-    assert!(light.cone.unwrap().contains(Vector::new(1.0, 0.5, 0.0)));
-    assert!(!light.cone.unwrap().contains(Vector::new(1.0, 0.6, 0.0)));
+    assert_eq!((light.position, light.effects.falloff), (point, Some(0.01)));
+    assert!(light.effects.spot_cone.unwrap().contains(Vector::new(1.0, 0.5, 0.0)));
+    assert!(!light.effects.spot_cone.unwrap().contains(Vector::new(1.0, 0.6, 0.0)));
 }
 
 #[test]

@@ -116,7 +116,7 @@ impl<T: Real> Lighting<'_, T> {
             reach[lane] = if is_lit { T::ONE } else { nowhere() };
         }
         if has::<EFFECTS>(Effect::SpotCone)
-            && let Some(cone) = light.cone
+            && let Some(cone) = light.effects.spot_cone
         {
             for lane in 0..LANES {
                 let contains = cone.contains(-segments.get(lane));
@@ -169,7 +169,7 @@ fn scales<T: Real, const EFFECTS: u32>(
 ) -> Lanes<T> {
     let mut scale = [T::ONE; LANES];
     if has::<EFFECTS>(Effect::Falloff)
-        && let Some(falloff) = light.falloff
+        && let Some(falloff) = light.effects.falloff
     {
         for lane in 0..LANES {
             let segment = segments.get(lane);

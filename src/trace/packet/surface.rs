@@ -134,7 +134,7 @@ impl<T: Real> SurfaceLanes<T> {
 
     #[inline(always)]
     fn coat<const EFFECTS: u32>(&mut self, surfaces: &SurfaceTable<T>, row: u32, name: u32) {
-        let SurfaceRow { color, ambient, diffuse, gloss, mirror, .. } = surfaces.row(row as usize);
+        let SurfaceRow { color, ambient, diffuse, effects } = surfaces.row(row as usize);
         let color = Vector::new(color.r, color.g, color.b);
         for lane in 0..LANES {
             let own = self.start.departed[lane] == name;
@@ -144,7 +144,7 @@ impl<T: Real> SurfaceLanes<T> {
         }
         // Only for those that have them: selections for all took 1 % of a scene without any mirror.
         if has::<EFFECTS>(Effect::Gloss)
-            && let Some(gloss) = gloss
+            && let Some(gloss) = effects.gloss
         {
             self.any_gloss = true;
             for lane in 0..LANES {
@@ -154,7 +154,7 @@ impl<T: Real> SurfaceLanes<T> {
             }
         }
         if has::<EFFECTS>(Effect::Mirror)
-            && let Some(reflectance) = mirror
+            && let Some(reflectance) = effects.mirror
         {
             self.any_mirror = true;
             for lane in 0..LANES {
@@ -168,7 +168,7 @@ impl<T: Real> SurfaceLanes<T> {
     #[inline(always)]
     fn paint<const EFFECTS: u32>(&mut self, tables: &SceneTables<T>, row: u32, name: u32) {
         let boards: &BoardColumns<T> = &tables.boards.shapes;
-        if has::<EFFECTS>(Effect::Texture) && boards.textures.get(row as usize).is_some() {
+        if has::<EFFECTS>(Effect::Texture) && boards.effects.texture.get(row as usize).is_some() {
             return self.paint_texture::<EFFECTS>(tables, row, name);
         }
         let (origin, width) = boards.pattern(row as usize);
