@@ -232,3 +232,15 @@ fn systems_run_for_the_effects_that_are_there_and_for_no_other() {
     schedule.run(&mut world);
     assert_eq!(world.resource::<Tables<f64>>().systems_run(Effect::MotionBlur), 1);
 }
+
+#[test]
+fn every_effect_is_left_out_of_two_programs() {
+    let script = include_str!("../../benches/idle_effects.sh");
+    let words = script.split_once("all_words=(").unwrap().1.split_once(')').unwrap().0;
+    let words: Vec<&str> =
+        words.split(|character: char| character == '"' || character.is_whitespace()).collect();
+    for effect in Effect::ALL {
+        let times = words.iter().filter(|&&word| word == effect.name()).count();
+        assert_eq!(times, 2, "{}", effect.name());
+    }
+}

@@ -18,7 +18,7 @@ mod extraction;
 mod frames;
 mod hard_messages;
 mod problems;
+mod pulse;
 #[path = "../support/mod.rs"]
 mod support;
-mod toy_effect;
 mod units;
