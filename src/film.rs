@@ -58,32 +58,16 @@ impl Film {
     /// The same of a film that holds the sums of that many samples: what [`Self::divide`] and [`Self::to_rgb8`] give,
     /// but the sums stay.
     pub fn mean_to_rgb8(&self, samples: u32) -> Vec<u8> {
-        let count = f64::from(samples);
-        match self.transfer {
-            // Divisions would take a ninth of the time.
-            Transfer::Linear if samples == 1 => self.levels(quantize),
-            Transfer::Linear => self.levels(|sum| quantize(sum / count)),
-            Transfer::Srgb => {
-                let levels = SrgbLevels::new();
-                self.levels(|sum| levels.level(sum / count))
-            }
-        }
-    }
-
-    /// The level of each channel.
-    fn levels(&self, level: impl Fn(f64) -> u8 + Sync) -> Vec<u8> {
+        let tone = Tone::of(self.transfer);
         // As one slice: of pixels one after the other it took ten times as long, a tenth of the time from start to file.
         let channels = self.pixels.as_flattened();
-        if channels.len() <= PART {
-            return channels.iter().map(|&channel| level(channel)).collect();
-        }
         let mut levels = vec![0; channels.len()];
-        let parts = levels.par_chunks_mut(PART).zip(channels.par_chunks(PART));
-        parts.for_each(|(levels, channels)| {
-            for (place, &channel) in levels.iter_mut().zip(channels) {
-                *place = level(channel);
-            }
-        });
+        if channels.len() <= PART {
+            tone.put_levels(channels, samples, &mut levels);
+        } else {
+            let parts = levels.par_chunks_mut(PART).zip(channels.par_chunks(PART));
+            parts.for_each(|(levels, channels)| tone.put_levels(channels, samples, levels));
+        }
         levels
     }
 
@@ -124,6 +108,52 @@ impl Film {
     /// Pixels in bands of `height` rows.
     pub fn band_length(&self, height: u32) -> usize {
         (self.side as usize * height.max(1) as usize).max(1)
+    }
+}
+
+/// Room for a picture of `side` by `side` pixels in 8 bits a channel, three bytes a pixel; `None` if there is no memory for
+/// it.
+pub fn room_for_levels(side: u32) -> Option<Vec<u8>> {
+    let count = usize::try_from(3 * u64::from(side) * u64::from(side)).ok()?;
+    Vec::<u8>::new().try_reserve_exact(count).ok()?;
+    let levels = vec![0; count];
+    large_pages::ask_for(&levels);
+    Some(levels)
+}
+
+/// How light becomes levels.
+#[derive(Clone, Debug)]
+pub enum Tone {
+    /// In proportion.
+    Linear,
+    /// By the curve of sRGB.
+    Srgb(Box<SrgbLevels>),
+}
+
+impl Tone {
+    /// That of a transfer.
+    pub fn of(transfer: Transfer) -> Self {
+        match transfer {
+            Transfer::Linear => Self::Linear,
+            Transfer::Srgb => Self::Srgb(Box::default()),
+        }
+    }
+
+    /// The level of each channel, of as many as there is room for, whose light is the sum of that many samples.
+    pub fn put_levels(&self, channels: &[f64], samples: u32, levels: &mut [u8]) {
+        let count = f64::from(samples);
+        match self {
+            // Divisions would take a ninth of the time.
+            Self::Linear if samples == 1 => put(channels, levels, quantize),
+            Self::Linear => put(channels, levels, |sum| quantize(sum / count)),
+            Self::Srgb(curve) => put(channels, levels, |sum| curve.level(sum / count)),
+        }
+    }
+}
+
+fn put(channels: &[f64], levels: &mut [u8], level: impl Fn(f64) -> u8) {
+    for (place, &channel) in levels.iter_mut().zip(channels) {
+        *place = level(channel);
     }
 }
 

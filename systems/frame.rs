@@ -105,6 +105,8 @@ impl<T: Real> Tables<T> {
 #[derive(Resource, Default)]
 pub struct Frame {
     pub(super) film: Film,
+    /// In 8 bits a channel, where that was asked for.
+    pub(super) levels: Vec<u8>,
     pub(super) counts: Counts,
     pub(super) refinement: Option<Refinement>,
     pub(super) error: Option<FrameError>,
@@ -121,6 +123,15 @@ impl Frame {
 }
 
 impl Frame {
+    /// The picture in 8 bits a channel, red, green, blue, top row first, as
+    /// [`levels_schedule`](super::levels_schedule) has left it, and what was counted; or why there is none. It is there once.
+    pub fn take_levels(&mut self) -> Result<(Vec<u8>, Counts), FrameError> {
+        match &self.error {
+            Some(error) => Err(error.clone()),
+            None => Ok((core::mem::take(&mut self.levels), self.counts)),
+        }
+    }
+
     /// How many samples each pixel has, where that was decided pixel by pixel.
     pub fn refinement(&self) -> Option<&Refinement> {
         self.refinement.as_ref()

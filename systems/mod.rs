@@ -13,6 +13,7 @@
 //!                  extract_motion   after the others, only while something has a velocity
 //! Stage::Build     build_trees      only if a large table has no tree, or has changed
 //! Stage::Trace     trace            tables and camera to film, tiles in parallel
+//!                  trace_levels     or to bytes, where nobody wants a film
 //! Stage::List      list_objects     what the preview draws, per shape kind, only if that kind changed
 //!                  list_lights      only if lights changed
 //! (last)           end_frame        lets the World forget reports of removals
@@ -44,6 +45,7 @@ mod shape_tables;
 mod survey_effects;
 mod trace;
 mod trace_adaptive;
+mod trace_levels;
 mod trace_windows;
 mod workers;
 
@@ -67,6 +69,7 @@ use list_draws::{list_lights, list_objects};
 use shape_tables::ExtractShape;
 use survey_effects::survey_effects;
 use trace::trace;
+use trace_levels::trace_levels;
 
 pub use frame::{Frame, FrameError, Tables};
 #[cfg(feature = "viewer")]
@@ -162,6 +165,13 @@ pub fn build_schedule<T: Real>() -> Schedule {
 pub fn trace_schedule<T: Real>() -> Schedule {
     let mut schedule = Schedule::default();
     add_trace::<T>(&mut schedule);
+    schedule
+}
+
+/// [`Stage::Trace`] for who wants bytes and no film: see [`Frame::take_levels`].
+pub fn levels_schedule<T: Real>() -> Schedule {
+    let mut schedule = Schedule::default();
+    schedule.add_systems(trace_levels::<T>.in_set(Stage::Trace));
     schedule
 }
 

@@ -1,6 +1,7 @@
 //! Tables to film.
 
 use bevy_ecs::prelude::*;
+use bevy_ecs::system::SystemParam;
 use rayon::prelude::*;
 
 use crate::components::{Adaptive, Cutoff, Sampling, Snapshot};
@@ -10,39 +11,62 @@ use crate::trace::{Counts, Depth, Exposure, Refinement, SampleGrid};
 
 use super::{Frame, FrameError, Monitor, Tables, Workers, trace_adaptive};
 
+/// What is asked of a frame.
+#[derive(SystemParam)]
+pub(super) struct Settings<'w> {
+    snapshot: Res<'w, Snapshot>,
+    sampling: Res<'w, Sampling>,
+    adaptive: Option<Res<'w, Adaptive>>,
+    cutoff: Option<Res<'w, Cutoff>>,
+    pub(super) workers: Res<'w, Workers>,
+    pub(super) monitor: Res<'w, Monitor>,
+}
+
+impl Settings<'_> {
+    /// What the frame is traced from, and how; or what is wrong with the World.
+    pub(super) fn exposure<'a, T: Real>(&self, tables: &'a Tables<T>) -> Result<Exposure<'a, T>, FrameError> {
+        let problems = tables.problems();
+        let Some(camera) = tables.camera.as_ref().filter(|_| problems.is_empty()) else {
+            return Err(FrameError::World(problems));
+        };
+        let level = self.snapshot.level;
+        let cutoff = T::from_f64(self.cutoff.as_ref().map_or(0.0, |cutoff| cutoff.0));
+        Ok(Exposure {
+            depth: Depth { level, cutoff },
+            grid: SampleGrid::new(self.sampling.side),
+            kernel: self.workers.kernel_for(tables.effects()),
+            ..Exposure::new(&tables.scene, camera, level)
+        })
+    }
+
+    /// The expected error at which a pixel needs no more samples, where that is asked for.
+    pub(super) fn threshold(&self) -> Option<f64> {
+        self.adaptive.as_ref().map(|adaptive| adaptive.threshold)
+    }
+}
+
 /// Traces the frame, bands in parallel. Every pixel is a function of the tables alone, and counts are whole
 /// numbers, so neither depends on which thread did what.
-pub(super) fn trace<T: Real>(
-    tables: Res<Tables<T>>,
-    (snapshot, sampling): (Res<Snapshot>, Res<Sampling>),
-    (adaptive, cutoff): (Option<Res<Adaptive>>, Option<Res<Cutoff>>),
-    (workers, monitor): (Res<Workers>, Res<Monitor>),
-    mut frame: ResMut<Frame>,
-) {
+pub(super) fn trace<T: Real>(tables: Res<Tables<T>>, settings: Settings, mut frame: ResMut<Frame>) {
     let frame = &mut *frame;
     frame.counts = Counts::default();
-    frame.error = None;
-    let problems = tables.problems();
-    let Some(camera) = tables.camera.as_ref().filter(|_| problems.is_empty()) else {
-        frame.error = Some(FrameError::World(problems));
-        return;
-    };
-    if frame.film.side() != camera.pixels() {
-        let Some(film) = Film::new(camera.pixels()) else {
-            frame.error = Some(FrameError::Memory(camera.pixels()));
-            return;
-        };
-        frame.film = film;
+    frame.error = settings.exposure(&tables).and_then(|exposure| expose(&exposure, &settings, frame)).err();
+}
+
+/// Traces the frame's film.
+pub(super) fn expose<T: Real>(
+    exposure: &Exposure<'_, T>,
+    settings: &Settings,
+    frame: &mut Frame,
+) -> Result<(), FrameError> {
+    let side = exposure.camera.pixels();
+    if frame.film.side() != side {
+        frame.film = Film::new(side).ok_or(FrameError::Memory(side))?;
     }
-    let grid = SampleGrid::new(sampling.side);
-    let kernel = workers.kernel_for(tables.effects());
-    let depth = Depth { level: snapshot.level, cutoff: T::from_f64(cutoff.map_or(0.0, |cutoff| cutoff.0)) };
-    let exposure = Exposure { depth, grid, kernel, ..Exposure::new(&tables.scene, camera, snapshot.level) };
-    let threshold = adaptive.map(|adaptive| adaptive.threshold);
-    (frame.counts, frame.refinement) = trace_film(&exposure, threshold, &mut frame.film, &workers, &monitor);
-    if monitor.is_cancelled() {
-        frame.error = Some(FrameError::Cancelled);
-    }
+    let (workers, monitor) = (&settings.workers, &settings.monitor);
+    (frame.counts, frame.refinement) =
+        trace_film(exposure, settings.threshold(), &mut frame.film, workers, monitor);
+    if monitor.is_cancelled() { Err(FrameError::Cancelled) } else { Ok(()) }
 }
 
 /// Traces a film with as many samples everywhere, or until their error is expected to be no more than a threshold.

@@ -10,11 +10,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::components::Precision;
 use crate::geometry::Real;
-use crate::image_file::encode;
+use crate::image_file::encode_rgb8;
 use crate::study::{Choice, FrontPoint, Lab, Setting, Wish, choose};
 use crate::systems::{
-    Frame, FrameError, Monitor, Muted, Tables, Workers, build_schedule, prepare, tables_schedule,
-    trace_schedule,
+    Frame, FrameError, Monitor, Muted, Tables, Workers, build_schedule, levels_schedule, prepare,
+    tables_schedule,
 };
 use crate::trace::{Kernel, Refinement};
 use crate::whole_file::{check_writable, write_whole};
@@ -108,17 +108,16 @@ impl Job<'_> {
 
         let progress = progress_bar(setting);
         world.insert_resource(monitor(&progress, stop));
-        trace_schedule::<T>().run(&mut world);
+        levels_schedule::<T>().run(&mut world);
         progress.finish_and_clear();
         phases.trace = clock.lap();
 
-        let frame = world.resource::<Frame>();
-        let (film, counts) = frame.traced().map_err(|error| match error {
+        let traced = world.resource_mut::<Frame>().take_levels();
+        let (levels, counts) = traced.map_err(|error| match error {
             FrameError::Cancelled => interrupted(&args.output),
             error => error.into(),
         })?;
-        let workers = world.resource::<Workers>();
-        let picture = workers.run(|| encode(film, &args.output))?;
+        let picture = encode_rgb8(setting.pixels, levels, &args.output)?;
         if stop.load(Ordering::Relaxed) {
             return Err(interrupted(&args.output));
         }
@@ -132,10 +131,10 @@ impl Job<'_> {
             say(&format!("warning: {} samples had no finite radiance and are black", counts.non_finite));
         }
         if let Some(path) = &args.stats {
-            let threads = workers.threads();
+            let threads = world.resource::<Workers>().threads();
             let tables = world.resource::<Tables<T>>();
-            let samples = frame.refinement().map(Refinement::mean_samples);
-            let stats = Stats::new((setting, samples), threads, phases, counts, tables);
+            let samples = world.resource::<Frame>().refinement().map(Refinement::mean_samples);
+            let stats = Stats::new((setting, samples), threads, phases, &counts, tables);
             let stats = stats.with_prediction(choice.as_ref());
             write_whole(path, &stats.to_json()?)?;
         }

@@ -17,6 +17,7 @@ mod effects;
 mod extraction;
 mod frames;
 mod hard_messages;
+mod levels;
 mod problems;
 mod pulse;
 #[path = "../support/mod.rs"]
