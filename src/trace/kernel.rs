@@ -8,9 +8,9 @@ const ELSEWHERE: EffectSet = EffectSet::of(&[Effect::MotionBlur, Effect::Srgb]);
 /// Code to trace with, compiled for a set of effects: what is not in the set is not in the code. All that have what a
 /// scene asks for trace it to the same bits.
 ///
-/// What they add to a release program of 13755 kB, as `benches/kernel_sizes.sh` says: packets 41 to 79 kB for each precision,
-/// level of vector instructions and kernel, 712 in all; the searches of trees and of lists of rays, which know of no effect
-/// and are shared, 96 to 152, 1512 in all; stages 228, 180 of them, and 112 for hits and shadows. Two loops with every effect
+/// What they add to a release program of 13994 kB, as `benches/kernel_sizes.sh` says: packets 41 to 80 kB for each precision,
+/// level of vector instructions and kernel, 719 in all; the searches of trees and of lists of rays, which know of no effect
+/// and are shared, 99 to 150, 1567 in all; stages 227, 180 of them, and 114 for hits and shadows. Two loops with every effect
 /// were larger than the stages, and took 4 to 10 % more instructions. `benches/idle_effects.sh` holds all of them against
 /// programs without an effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
