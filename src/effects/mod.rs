@@ -1,7 +1,8 @@
 //! Light and colour: a hit and a light in, a number out.
 //!
-//! One file an effect. Nothing here searches the scene or recurses, and nothing decides whether an effect is
-//! present: the trace asks only for those that the tables hold rows of.
+//! One file an effect, with what becomes of its component in the tables (`EffectComponent`), and one line an effect in the
+//! survey, from which all else follows. Nothing here searches the scene or recurses, and nothing decides whether an effect
+//! is present: the trace asks only for those that the tables hold rows of.
 
 mod absorption;
 mod aperture;
