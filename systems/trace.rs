@@ -120,17 +120,30 @@ pub fn trace_pass<T: Real>(
         // Band by band to the end: the last one to be done should not be one of many.
         let bands = film.pixels_mut().par_chunks_mut(length).with_max_len(1).enumerate();
         let each = bands.map(|(number, pixels)| {
-            let area = pixels.len() as u64;
             let mut band = FilmBand::new(side, height, number, pixels);
-            let counts = exposure.trace_band(workers.simd, pass, &mut band, || !monitor.is_cancelled());
-            if !monitor.is_cancelled() {
-                monitor.tile_done(area);
-            }
-            counts
+            trace_band(&exposure, pass, &mut band, workers, monitor)
         });
-        each.reduce(Counts::default, |mut sum, counts| {
-            sum += counts;
-            sum
-        })
+        each.reduce(Counts::default, sum)
     })
+}
+
+/// Traces one sample of every pixel of a band, and tells the monitor, unless that is cancelled.
+pub(super) fn trace_band<T: Real>(
+    exposure: &Exposure<'_, T>,
+    pass: u32,
+    band: &mut FilmBand<'_>,
+    workers: &Workers,
+    monitor: &Monitor,
+) -> Counts {
+    let counts = exposure.trace_band(workers.simd, pass, band, || !monitor.is_cancelled());
+    if !monitor.is_cancelled() {
+        monitor.tile_done(u64::from(band.side()) * u64::from(band.height()));
+    }
+    counts
+}
+
+/// What two bands have counted together.
+pub(super) fn sum(mut one: Counts, other: Counts) -> Counts {
+    one += other;
+    one
 }

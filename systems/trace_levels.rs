@@ -7,7 +7,7 @@ use crate::film::{FilmBand, Tone, room_for_levels};
 use crate::geometry::Real;
 use crate::trace::{Counts, Exposure};
 
-use super::trace::{Settings, expose};
+use super::trace::{Settings, expose, sum, trace_band};
 use super::{Frame, FrameError, Monitor, Tables, Workers};
 
 /// Traces the frame to bytes, the very ones that [`to_rgb8`](crate::film::Film::to_rgb8) makes of its film. Where a pixel has
@@ -32,6 +32,7 @@ fn develop<T: Real>(
     }
     let side = exposure.camera.pixels();
     frame.levels = room_for_levels(side).ok_or(FrameError::Memory(side))?;
+    frame.refinement = None;
     frame.counts = trace_bands(exposure, &mut frame.levels, workers, monitor);
     if monitor.is_cancelled() { Err(FrameError::Cancelled) } else { Ok(()) }
 }
@@ -54,18 +55,11 @@ fn trace_bands<T: Real>(
         let film = || vec![[0.0; 3]; length];
         let each = bands.map_init(film, |film, (number, levels)| {
             let pixels = &mut film[..levels.len() / 3];
-            let area = pixels.len() as u64;
             let mut band = FilmBand::new(side, height, number, pixels);
-            let counts = exposure.trace_band(workers.simd, 0, &mut band, || !monitor.is_cancelled());
-            if !monitor.is_cancelled() {
-                tone.put_levels(film.as_flattened(), 1, levels);
-                monitor.tile_done(area);
-            }
+            let counts = trace_band(&exposure, 0, &mut band, workers, monitor);
+            tone.put_levels(film.as_flattened(), 1, levels);
             counts
         });
-        each.reduce(Counts::default, |mut sum, counts| {
-            sum += counts;
-            sum
-        })
+        each.reduce(Counts::default, sum)
     })
 }

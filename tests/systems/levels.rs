@@ -86,6 +86,21 @@ fn levels_are_those_of_the_film() {
     assert_alike::<f32>();
 }
 
+/// What was refined for the picture before says nothing of the next one.
+#[test]
+fn a_picture_without_refinement_has_none() {
+    let mut world = scene(16, CHANGES[2]);
+    prepare::<f64>(&mut world, workers(1));
+    extract_schedule::<f64>().run(&mut world);
+    let mut schedule = levels_schedule::<f64>();
+    schedule.run(&mut world);
+    assert!(world.resource::<Frame>().refinement().is_some());
+    world.remove_resource::<Adaptive>();
+    world.insert_resource(Sampling { side: 1 });
+    schedule.run(&mut world);
+    assert!(world.resource::<Frame>().refinement().is_none());
+}
+
 #[test]
 fn a_world_that_cannot_be_traced_has_no_levels() {
     let mut world = scene(16, CHANGES[0]);
