@@ -27,6 +27,7 @@ pub(super) struct Parties<'a, T: Real, S: Packed<T>> {
     /// Whether all of them were asked to go together, and how often some could not.
     asked: bool,
     failures: u32,
+    is_swarm: bool,
     /// A bit for each that found none.
     alone: u32,
 }
@@ -50,7 +51,7 @@ impl<T: Real> Party<T> {
 }
 
 impl<'a, T: Real, S: Packed<T>> Parties<'a, T, S> {
-    /// Of the active rays of a packet, and the bundle around them.
+    /// Of the active rays of a packet, and the bundle around them. Where rays go as a swarm, all of them go together or none.
     #[inline(always)]
     pub(super) fn of(
         tree: &'a Tree<T, S>,
@@ -58,7 +59,15 @@ impl<'a, T: Real, S: Packed<T>> Parties<'a, T, S> {
         bundle: &'a Bundle<T>,
         reach: &Reach<T>,
     ) -> Self {
-        Self { tree, rays, bundle, left: *reach, asked: false, failures: 0, alone: 0 }
+        let is_swarm = tree.suits_swarm(rays.start.departed[central_lane(reach)] != ObjectId::NOBODY);
+        let failures = if is_swarm { FAILURES } else { 0 };
+        Self { tree, rays, bundle, left: *reach, asked: false, failures, is_swarm, alone: 0 }
+    }
+
+    /// Whether the lanes that are in no part go down the tree as a swarm.
+    #[inline(always)]
+    pub(super) fn is_swarm(&self) -> bool {
+        self.is_swarm
     }
 
     /// The next part, if there is one: all of them, if they go together.
@@ -145,18 +154,20 @@ mod tests {
     use super::super::lanes::StartLanes;
     use super::*;
     use crate::geometry::{SphereShape, Vector};
-    use crate::trace::{Kind, Sequential, ShapeColumns, SphereColumns};
+    use crate::trace::{Kind, Sequential, SphereColumns};
 
-    /// So many spheres that leaves are much smaller than all of them.
-    fn spheres() -> Tree<f64, SphereShape<f64>> {
+    /// Spheres on a grid of so many a side; leaves are much smaller than all of them.
+    fn spheres(side: u32) -> Tree<f64, SphereShape<f64>> {
         let mut spheres = SphereColumns::default();
-        for number in 0..512_u32 {
-            let at = |step: u32| f64::from(number / step % 8) * 50.0;
-            spheres.push(SphereShape { center: Vector::new(at(1), at(8), at(64)), radius: 1.0 });
+        for number in 0..side.pow(3) {
+            let at = |step: u32| f64::from(number / step % side) * 50.0;
+            spheres.push(SphereShape { center: Vector::new(at(1), at(side), at(side * side)), radius: 1.0 });
         }
-        assert_eq!(spheres.len(), 512);
         Tree::build(&spheres, &Sequential).unwrap()
     }
+
+    /// Too many for swarms.
+    const MANY: u32 = 24;
 
     /// Rays from `start`, on an object, that all but go along x, and the reach of the lanes with a bit.
     fn packet(
@@ -182,9 +193,20 @@ mod tests {
 
     /// The lanes of every part, and those that are left.
     fn parted(start: &StartLanes<f64>, direction: &VectorLanes<f64>, reach: &Reach<f64>) -> (Vec<u32>, u32) {
-        let (tree, rays) = (spheres(), RayLanes { start, direction });
+        let tree = spheres(MANY);
+        assert!(!tree.suits_swarm(true));
+        parted_in(&tree, start, direction, reach)
+    }
+
+    fn parted_in(
+        tree: &Tree<f64, SphereShape<f64>>,
+        start: &StartLanes<f64>,
+        direction: &VectorLanes<f64>,
+        reach: &Reach<f64>,
+    ) -> (Vec<u32>, u32) {
+        let rays = RayLanes { start, direction };
         let bundle = bundle(start, direction, reach);
-        let mut parties = Parties::of(&tree, &rays, &bundle, reach);
+        let mut parties = Parties::of(tree, &rays, &bundle, reach);
         let mut parts = Vec::new();
         while let Some(party) = parties.next() {
             parts.push(mask(|lane| party.reach[lane] >= 0.0));
@@ -227,6 +249,18 @@ mod tests {
         let (start, direction, reach) = packet(|lane| Vector::new(0.0, place(lane), 0.0), ACTIVE);
         assert_eq!(parted(&start, &direction, &reach), (vec![], ACTIVE));
     }
+
+    #[test]
+    fn where_rays_go_as_a_swarm_parts_of_them_are_not_looked_for() {
+        let place = |lane| if lane % 3 == 0 { -10.0 } else { 150.0 };
+        let (start, direction, reach) = packet(|lane| Vector::new(place(lane), 20.0, 30.0), ACTIVE);
+        let tree = spheres(8);
+        assert!(tree.suits_swarm(true));
+        assert_eq!(parted_in(&tree, &start, &direction, &reach), (vec![], ACTIVE));
+        let (start, direction, reach) = packet(|_| Vector::new(-10.0, 20.0, 30.0), ACTIVE);
+        assert_eq!(parted_in(&tree, &start, &direction, &reach), (vec![ACTIVE], 0));
+    }
+
     #[test]
     fn rays_from_open_space_go_together_as_a_whole_or_not_at_all() {
         let place = |lane| if lane % 3 == 0 { -10.0 } else { 150.0 };

@@ -1,10 +1,13 @@
-//! Packets and trees: all rays as one where they go much the same way, otherwise each by itself.
+//! Packets and trees: all rays as one where they go much the same way, otherwise each by itself, in a swarm where that is
+//! faster.
 //!
 //! Trees know of no effect, so kernels share the code of both searches.
 
 use crate::geometry::Real;
 use crate::trace::simd::Vectorised;
-use crate::trace::tree::{Any, NO_ROW, Nearest, Packed, RayNumbers, Stack, Tree, TreeRay, Walk, Walks};
+use crate::trace::tree::{
+    Any, NO_ROW, Nearest, Packed, RayNumbers, SWARM, Stack, SwarmStack, Tree, TreeRay, Walk, Walks,
+};
 use crate::trace::{
     CubeColumns, Kind, ObjectId, PyramidColumns, SceneTables, ShapeColumns, ShapeTable, Simd, SphereColumns,
 };
@@ -19,12 +22,17 @@ use super::parties::{Parties, Party};
 /// Rays that take turns in a tree.
 const GROUP: usize = 16;
 
+/// A packet has a bit for each of its rays.
+const _: () = assert!(LANES == SWARM);
+
 /// What searches of trees need room for, kept from one to the next.
 pub(in crate::trace) struct TreeScratch {
     /// What trees are searched with.
     simd: Simd,
     /// 128 KiB, which nobody clears where there is no tree.
     stacks: Option<[Stack; GROUP]>,
+    /// 16 KiB.
+    swarm: Option<SwarmStack>,
     /// For some lights and each kind, the row that hid a light last: likely to hide it again.
     occluders: [[u32; 3]; LIGHTS],
 }
@@ -34,7 +42,7 @@ const LIGHTS: usize = 8;
 
 impl TreeScratch {
     pub(in crate::trace) fn new(simd: Simd) -> Self {
-        Self { simd, stacks: None, occluders: [[NO_ROW; 3]; LIGHTS] }
+        Self { simd, stacks: None, swarm: None, occluders: [[NO_ROW; 3]; LIGHTS] }
     }
 }
 
@@ -46,7 +54,9 @@ fn empty_stacks() -> [Stack; GROUP] {
 /// [`RayNumbers`] of every lane.
 struct NumberLanes<T> {
     inverse: VectorLanes<T>,
-    pad: Lanes<T>,
+    far_inverse: VectorLanes<T>,
+    near_origin: VectorLanes<T>,
+    far_origin: VectorLanes<T>,
     inverse_length: Lanes<T>,
     inverse_square: Lanes<T>,
 }
@@ -54,16 +64,23 @@ struct NumberLanes<T> {
 impl<T: Real> NumberLanes<T> {
     #[inline(always)]
     fn of(rays: &RayLanes<'_, T>, rounding: T) -> Self {
-        let zero = [T::ZERO; LANES];
-        let mut all =
-            Self { inverse: VectorLanes::zero(), pad: zero, inverse_length: zero, inverse_square: zero };
+        let (zero, vectors) = ([T::ZERO; LANES], VectorLanes::zero());
+        let mut all = Self {
+            inverse: vectors,
+            far_inverse: vectors,
+            near_origin: vectors,
+            far_origin: vectors,
+            inverse_length: zero,
+            inverse_square: zero,
+        };
         for lane in 0..LANES {
-            let RayNumbers { inverse, pad, inverse_length, inverse_square } =
-                RayNumbers::new(&rays.get(lane), rounding);
-            all.inverse.set(lane, inverse);
-            all.pad[lane] = pad;
-            all.inverse_length[lane] = inverse_length;
-            all.inverse_square[lane] = inverse_square;
+            let numbers = RayNumbers::new(&rays.get(lane), rounding);
+            all.inverse.set(lane, numbers.inverse);
+            all.far_inverse.set(lane, numbers.far_inverse);
+            all.near_origin.set(lane, numbers.near_origin);
+            all.far_origin.set(lane, numbers.far_origin);
+            all.inverse_length[lane] = numbers.inverse_length;
+            all.inverse_square[lane] = numbers.inverse_square;
         }
         all
     }
@@ -72,7 +89,9 @@ impl<T: Real> NumberLanes<T> {
     fn get(&self, lane: usize) -> RayNumbers<T> {
         RayNumbers {
             inverse: self.inverse.get(lane),
-            pad: self.pad[lane],
+            far_inverse: self.far_inverse.get(lane),
+            near_origin: self.near_origin.get(lane),
+            far_origin: self.far_origin.get(lane),
             inverse_length: self.inverse_length[lane],
             inverse_square: self.inverse_square[lane],
         }
@@ -136,7 +155,11 @@ impl<T: Real> ClosestInTrees<'_, T> {
         }
         let numbers = &NumberLanes::of(rays, tree.rounding());
         let mut rays = ClosestWalks { search, numbers, left: alone, hits };
-        tree.search_all::<true, _, _>(&mut rays, stacks);
+        if parties.is_swarm() {
+            tree.search_as_swarm(&mut rays, scratch.swarm.get_or_insert_with(SwarmStack::new));
+        } else {
+            tree.search_all::<true, _, _>(&mut rays, stacks);
+        }
     }
 }
 
@@ -171,13 +194,18 @@ impl<'a, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> Walks<T, Nearest<'a, T>>
     for ClosestWalks<'a, '_, T, C>
 {
     #[inline(always)]
-    fn start(&mut self) -> Option<(usize, Walk<T, Nearest<'a, T>>)> {
-        let lane = take_lane(&mut self.left)?;
+    fn waiting(&mut self) -> &mut u32 {
+        &mut self.left
+    }
+
+    #[inline(always)]
+    fn walk(&self, lane: usize) -> Walk<T, Nearest<'a, T>> {
+        let lane = lane % LANES;
         let ClosestSearch { tables, rays, .. } = self.search;
         let (t, name, face) = (self.hits.t[lane], self.hits.name[lane], self.hits.face[lane]);
         let search = Nearest { tables, kind: C::KIND, t, name, face };
-        let ray = TreeRay::of(rays.get(lane), &self.numbers.get(lane));
-        Some((lane, Walk::new(ray, departed_row(rays, lane, C::KIND), search)))
+        let ray = TreeRay::of(rays.get(lane), self.numbers.get(lane));
+        Walk::new(ray, departed_row(rays, lane, C::KIND), search)
     }
 
     #[inline(always)]
@@ -253,7 +281,11 @@ impl<T: Real> OcclusionByTrees<'_, T> {
         let numbers = &NumberLanes::of(segments, tree.rounding());
         let shares = !tree.is_large();
         let mut rays = ShadowWalks { search, numbers, left: alone, reach, last, shares };
-        tree.search_all::<false, _, _>(&mut rays, stacks);
+        if parties.is_swarm() {
+            tree.search_as_swarm(&mut rays, scratch.swarm.get_or_insert_with(SwarmStack::new));
+        } else {
+            tree.search_all::<false, _, _>(&mut rays, stacks);
+        }
     }
 }
 
@@ -293,12 +325,16 @@ struct ShadowWalks<'a, 'b, T: Real, C: ShapeColumns<T, Shape: Packed<T>>> {
 
 impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> Walks<T, Any<T>> for ShadowWalks<'_, '_, T, C> {
     #[inline(always)]
-    fn start(&mut self) -> Option<(usize, Walk<T, Any<T>>)> {
-        let lane = take_lane(&mut self.left)?;
-        let segments = self.search.segments;
-        let ray = TreeRay::of(segments.get(lane), &self.numbers.get(lane));
+    fn waiting(&mut self) -> &mut u32 {
+        &mut self.left
+    }
+
+    #[inline(always)]
+    fn walk(&self, lane: usize) -> Walk<T, Any<T>> {
+        let (lane, segments) = (lane % LANES, self.search.segments);
+        let ray = TreeRay::of(segments.get(lane), self.numbers.get(lane));
         let any = Any { row: NO_ROW, reach: self.reach[lane] };
-        Some((lane, Walk::new(ray, departed_row(segments, lane, C::KIND), any)))
+        Walk::new(ray, departed_row(segments, lane, C::KIND), any)
     }
 
     #[inline(always)]
@@ -312,17 +348,6 @@ impl<T: Real, C: ShapeColumns<T, Shape: Packed<T>>> Walks<T, Any<T>> for ShadowW
             }
         }
     }
-}
-
-/// Takes the first lane out of those of some bits.
-#[inline(always)]
-fn take_lane(left: &mut u32) -> Option<usize> {
-    if *left == 0 {
-        return None;
-    }
-    let lane = left.trailing_zeros() as usize % LANES;
-    *left &= *left - 1;
-    Some(lane)
 }
 
 /// The row of one kind that the ray of a lane leaves.

@@ -14,6 +14,7 @@ mod ray;
 mod searches;
 mod split;
 mod stack;
+mod swarm;
 mod traverse;
 
 use crate::geometry::Real;
@@ -29,6 +30,7 @@ pub use pack::Packed;
 pub(super) use ray::{RayNumbers, TreeRay};
 pub(super) use searches::{Any, NO_ROW, Nearest};
 pub(super) use stack::Stack;
+pub(super) use swarm::{SWARM, SwarmStack};
 pub(super) use traverse::{BeamSearch, TreeSearch, Walk, Walks};
 
 /// Children of a node, and rows of a leaf.

@@ -8,7 +8,7 @@ use super::ray::{Found, Slots};
 
 /// Fifteen children a level and one more: no tree has as many levels as this asks. Each takes one of the splits of its rows
 /// at least, of which there are at most `DEEP` in `collapse.rs`, and then one for each time that 2^30 rows can be halved.
-const STACK_SIZE: usize = 1024;
+pub(super) const STACK_SIZE: usize = 1024;
 
 /// A child and where the ray enters it, in one number that is the less the nearer it is.
 ///
@@ -17,6 +17,8 @@ const STACK_SIZE: usize = 1024;
 pub(super) struct Entry(u64);
 
 impl Entry {
+    pub(super) const ZERO: Self = Self(0);
+
     #[inline(always)]
     pub(super) fn new<T: Real>(distance: T, code: u32) -> Self {
         let distance = f32::from_f64(distance.to_f64()).to_bits();
@@ -28,6 +30,17 @@ impl Entry {
     fn take<T: Real>(node: &Node<T>, found: &Found<T>, left: &mut Slots) -> Self {
         let slot = left.take();
         Self::new(found.distances[slot], node.children[slot % WIDTH])
+    }
+
+    /// Whether it is at up to a limit, which may be below 0.
+    #[inline(always)]
+    pub(super) fn is_within<T: Real>(self, limit: T) -> bool {
+        self.distance() <= f32::from_f64(limit.to_f64())
+    }
+
+    #[inline(always)]
+    fn distance(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
     }
 
     /// The code of the child.

@@ -1,6 +1,6 @@
 //! Rays down a tree, sixteen boxes or sixteen shapes at a time.
 
-use crate::geometry::{Meeting, Real};
+use crate::geometry::{Meeting, Ray, Real};
 use crate::trace::hit::FaceCode;
 
 use super::beam::Beam;
@@ -36,21 +36,36 @@ pub(in crate::trace) trait BeamSearch<T: Real, S> {
     fn meet(&mut self, shape: &S, row: u32);
 }
 
-/// Rays that go down a tree by themselves, and what becomes of them.
-pub(in crate::trace) trait Walks<T, Q> {
-    /// The lane of the next one, and itself, if there is one left.
-    fn start(&mut self) -> Option<(usize, Walk<T, Q>)>;
+/// Rays of a packet that go down a tree each by itself, and what becomes of them.
+pub(in crate::trace) trait Walks<T: Real, Q: TreeSearch<T>> {
+    /// The lanes that have not been sent out yet, one bit each.
+    fn waiting(&mut self) -> &mut u32;
+
+    /// The ray of a lane at the root, with what it looks for now.
+    fn walk(&self, lane: usize) -> Walk<T, Q>;
 
     /// Told what that of a lane has found.
     fn finish(&mut self, lane: usize, search: &Q);
+
+    /// Sends out the next one, if there is one left: its lane, and itself.
+    #[inline(always)]
+    fn start(&mut self) -> Option<(usize, Walk<T, Q>)> {
+        let waiting = self.waiting();
+        if *waiting == 0 {
+            return None;
+        }
+        let lane = waiting.trailing_zeros() as usize;
+        *waiting &= *waiting - 1;
+        Some((lane, self.walk(lane)))
+    }
 }
 
 /// A ray on its way down a tree.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::trace) struct Walk<T, Q> {
-    ray: TreeRay<T>,
+    pub(super) ray: TreeRay<T>,
     /// The row that it leaves, which it does not meet.
-    departed: u32,
+    pub(super) departed: u32,
     /// What it looks for.
     pub(in crate::trace) search: Q,
     place: Place<T>,
@@ -73,6 +88,12 @@ impl<T: Real, Q: TreeSearch<T>> Walk<T, Q> {
     pub(in crate::trace) fn new(ray: TreeRay<T>, departed: u32, search: Q) -> Self {
         let place = Place { code: 0, height: 0, limit: search.reach() * slack() };
         Self { ray, departed, search, place }
+    }
+
+    /// The reach of the search, with slack.
+    #[inline(always)]
+    pub(super) fn limit(&self) -> T {
+        self.place.limit
     }
 }
 
@@ -209,7 +230,8 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         }
     }
 
-    /// Looks at a node or a leaf; whether there is another one.
+    /// Looks at a node or a leaf; whether there is another one. The parts of a walk are handed over by themselves: as one
+    /// value they took random rays among 1e3 to 1e5 spheres 1.06 times as long.
     #[inline(always)]
     fn step<const SORTED: bool, Q: TreeSearch<T>>(
         &self,
@@ -228,7 +250,10 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
                 return true;
             }
         } else {
-            self.test(&self.leaves[(place.code & !Child::LEAF) as usize], ray, departed, search, found);
+            let leaf = &self.leaves[(place.code & !Child::LEAF) as usize];
+            if Self::comes_near(leaf, ray, departed, search.reach()) {
+                Self::meet(leaf, ray, departed, search, found);
+            }
             if search.is_done() {
                 return false;
             }
@@ -248,29 +273,33 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
         }
     }
 
+    /// Whether a ray may meet a shape of a leaf at up to its reach: most leaves are told by that alone.
     #[inline(always)]
-    fn test(
-        &self,
+    pub(super) fn comes_near(leaf: &Leaf<S::Block>, ray: &TreeRay<T>, departed: u32, reach: T) -> bool {
+        let TreeRay { ray, numbers, .. } = ray;
+        let mut any = false;
+        for slot in 0..WIDTH {
+            let shape = S::unpack(&leaf.block, slot);
+            let is_near = shape.may_meet_before(ray, numbers.inverse_length, numbers.inverse_square, reach);
+            // A ray that leaves one of the shapes comes near it, of course.
+            any |= is_near & (leaf.rows[slot] != departed);
+        }
+        any
+    }
+
+    /// Tells a search of the shapes of a leaf that the ray meets.
+    #[inline(always)]
+    pub(super) fn meet(
         leaf: &Leaf<S::Block>,
         ray: &TreeRay<T>,
         departed: u32,
         search: &mut impl TreeSearch<T>,
         found: &mut Found<T>,
     ) {
-        let reach = search.reach();
-        // A ray that leaves one of the shapes comes near it, of course.
-        let mut worthwhile = false;
-        for slot in 0..WIDTH {
-            let shape = S::unpack(&leaf.block, slot);
-            let is_near = shape.may_meet_before(&ray.ray, ray.inverse_length, ray.inverse_square, reach);
-            worthwhile |= is_near & (leaf.rows[slot] != departed);
-        }
-        if !worthwhile {
-            return;
-        }
+        let (ray, reach) = (&ray.ray, search.reach());
         let mut unsure = 0_u32;
         for slot in 0..WIDTH {
-            let meeting = S::unpack(&leaf.block, slot).meet(&ray.ray);
+            let meeting = S::unpack(&leaf.block, slot).meet(ray);
             let counts = leaf.rows[slot] != departed;
             found.distances[slot] = meeting.t;
             found.faces[slot] = FaceCode::of(&meeting);
@@ -293,12 +322,12 @@ impl<T: Real, S: Packed<T>> Tree<T, S> {
 #[inline(never)]
 fn settle<T: Real, S: Packed<T>>(
     leaf: &Leaf<S::Block>,
-    ray: &TreeRay<T>,
+    ray: &Ray<T>,
     unsure: u32,
     search: &mut impl TreeSearch<T>,
 ) {
     for slot in (0..WIDTH).filter(|slot| unsure >> slot & 1 == 1) {
-        if let Some(crossing) = S::unpack(&leaf.block, slot).intersect(&ray.ray)
+        if let Some(crossing) = S::unpack(&leaf.block, slot).intersect(ray)
             && crossing.t <= search.reach()
         {
             search.meet(leaf.rows[slot], crossing.t, FaceCode::of(&Meeting::from(crossing)));
