@@ -27,6 +27,7 @@ pub(super) struct Parties<'a, T: Real, S: Packed<T>> {
     /// Whether all of them were asked to go together, and how often some could not.
     asked: bool,
     failures: u32,
+    /// Whether those that are left go as a swarm.
     is_swarm: bool,
     /// A bit for each that found none.
     alone: u32,

@@ -7,6 +7,7 @@ use super::beam::Beam;
 use super::prefetch::prefetch;
 use super::ray::{Found, TreeRay, slack};
 use super::stack::Stack;
+use super::swarm::SWARM;
 use super::{Child, Leaf, NO_ROW, Packed, Tree, WIDTH};
 
 /// What a ray looks for in a tree.
@@ -54,10 +55,17 @@ pub(in crate::trace) trait Walks<T: Real, Q: TreeSearch<T>> {
         if *waiting == 0 {
             return None;
         }
-        let lane = waiting.trailing_zeros() as usize;
-        *waiting &= *waiting - 1;
+        let lane = take_lane(waiting);
         Some((lane, self.walk(lane)))
     }
+}
+
+/// Takes the first lane out of some, of at least one.
+#[inline(always)]
+pub(super) fn take_lane(lanes: &mut u32) -> usize {
+    let lane = lanes.trailing_zeros() as usize % SWARM;
+    *lanes &= *lanes - 1;
+    lane
 }
 
 /// A ray on its way down a tree.
